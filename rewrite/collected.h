@@ -1,4 +1,4 @@
-// The first half of run(): what the sources say, before anything is decided about it.
+// Collection stage of run(): the facts of the sources, before any decision on them.
 #pragma once
 
 #include "rewrite/facts/facts.h"

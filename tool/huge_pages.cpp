@@ -1,11 +1,11 @@
-// The system clears each page that is touched first, and a page of 4 KB costs it more than what a pass does with that
-// memory. Long blocks lie in huge pages, where the system has any. Programs that are recorded keep their own `new`.
+// Allocation of long blocks in huge pages, if the system has them: clearing a 4 KB page on first touch costs more than
+// a pass spends on that memory. Recorded programs keep their own `new`.
 #include <cstdint>
 #include <cstdlib>
 #include <new>
 #include <sys/mman.h>
 
-// The sanitizers bring these functions themselves.
+// The sanitizers define these functions themselves.
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 
 static constexpr std::size_t huge_page = std::size_t{1} << 21;
@@ -16,7 +16,7 @@ static void *allocated(std::size_t size) {
   std::uintptr_t const first = reinterpret_cast<std::uintptr_t>(block);
   std::uintptr_t const begin = (first + huge_page - 1) / huge_page * huge_page,
                        end = (first + size) / huge_page * huge_page;
-  madvise(reinterpret_cast<void *>(begin), end - begin, MADV_HUGEPAGE); // advice: no is an answer
+  madvise(reinterpret_cast<void *>(begin), end - begin, MADV_HUGEPAGE); // only advice: failure is harmless
   return block;
 }
 

@@ -1,4 +1,4 @@
-// The command line: symreal SUBCOMMAND [options] files [-- compiler flags].
+// Command line of the tool: symreal SUBCOMMAND [options] files [-- compiler flags].
 #include "engine/diagnostics/diagnostic.h"
 #include "engine/support/files.h"
 #include "engine/support/version.h"
@@ -40,12 +40,12 @@ static int run(int argc, char **argv) {
     std::cout << app.help();
     return error;
   }
-  if (words.front() == "help") { // help SUBCOMMAND, as SUBCOMMAND --help
+  if (words.front() == "help") { // help SUBCOMMAND means SUBCOMMAND --help
     words.erase(words.begin());
     words.emplace_back("--help");
   }
   try {
-    app.parse(std::vector<std::string>(words.rbegin(), words.rend())); // CLI11 takes the last word first
+    app.parse(std::vector<std::string>(words.rbegin(), words.rend())); // CLI11 expects the words in reverse
     return session.status;
   } catch (CLI::ParseError const &problem) {
     if (problem.get_exit_code() == 0) return app.exit(problem);

@@ -19,7 +19,7 @@ public:
         sample_(sample),
         recorded_(outputs_of(graph)) {}
 
-  // The first output that is another one, if there is one.
+  // The first output that differs from the recorded graph's, if any.
   std::optional<Culprit> compare(Graph const &graph) const {
     std::vector<double> const now = outputs_of(graph);
     for (std::size_t slot = 0; slot < now.size(); ++slot)
@@ -28,13 +28,13 @@ public:
     return std::nullopt;
   }
 
-  // Halves the number of rewrites that the pass may do.
+  // Bisects the number of rewrites that the pass may do.
   void find_rewrite(Graph const &before, NamedPass const &pass, Culprit &culprit) const {
     RewriteLimit all;
     (void)run(before, pass, all);
     std::size_t good = 0, bad = all.done;
     RewriteLimit none{.most = 0};
-    if (bad == 0 || compare(run(before, pass, none))) return; // something else than its rewrites does it
+    if (bad == 0 || compare(run(before, pass, none))) return; // the fault lies outside the pass's rewrites
     while (good + 1 < bad) {
       RewriteLimit limit{.most = good + (bad - good) / 2};
       bool const differs = compare(run(before, pass, limit)).has_value();

@@ -1,4 +1,4 @@
-// Which pass, and in it which rewrite, is the first to give other outputs on a sample than the recorded graph.
+// Bisection of a difference: the first pass, and its first rewrite, that changes an output of a sample.
 #pragma once
 
 #include "engine/optimise/passes/pass.h"
@@ -17,18 +17,18 @@ struct NamedPass {
 
 struct Culprit {
   std::string pass = {};
-  std::size_t output = 0; // slot
+  std::size_t output = 0; // output slot
   double before = 0, after = 0;
-  std::size_t rewrites = 0; // the number of the rewrite that does it; 0: the pass does not rewrite node by node
-  std::string rule = {};    // "(mul x 0) -> 0", or that constants were folded
-  LocationId location = no_location; // of what was rewritten
+  std::size_t rewrites = 0;          // number of the first rewrite at fault; 0: the pass does not rewrite node by node
+  std::string rule = {};             // "(mul x 0) -> 0", or that constants were folded
+  LocationId location = no_location; // of the rewritten node
 };
 
-// The default passes of a mode.
+// Default passes of a mode.
 std::vector<NamedPass> default_pipeline(FloatingPoint mode);
 
-// Outputs are the same by `mode` and `tolerance`. Nothing where no pass changes them. `graph` calls no function of a
-// program.
+// The first pass that changes an output beyond `mode` and `tolerance`; nullopt if no pass does. `graph` calls no
+// function of a program.
 std::optional<Culprit> find_culprit(Graph const &graph, std::vector<NamedPass> const &passes,
                                     PassSettings const &settings, double tolerance, Sample const &sample);
 

@@ -16,12 +16,12 @@ namespace symreal::program {
 namespace {
 
 constexpr std::size_t least_samples = 4, most_samples = 500;
-constexpr double usual_operations = 4e7; // in extended precision: a few seconds
-constexpr double most_operations = 4e8;  // for as many samples as are required, or as judge each element
-constexpr double most_off_duals = 1e-12; // of the larger of the magnitude and 1, where equal numbers are promised
-constexpr double far = 1024; // of an input: steps that are in proportion to it may leap over what the function does
-constexpr double low_kink = 1000;    // times as much as differences may be off
-constexpr double most_rounding = 64; // times as much as the derivative loses before any pass
+constexpr double usual_operations = 4e7; // operations in extended precision: a few seconds
+constexpr double most_operations = 4e8;  // limit while required samples are missing or some element is unjudged
+constexpr double most_off_duals = 1e-12; // relative to max(magnitude, 1), if the mode promises equal numbers
+constexpr double far = 1024; // magnitude of an input beyond which proportional steps may miss features of the function
+constexpr double low_kink = 1000;    // multiple of the error that differences may have
+constexpr double most_rounding = 64; // multiple of the rounding error before any pass
 
 constexpr std::uint32_t no_input = ~std::uint32_t{0};
 
@@ -54,14 +54,14 @@ DerivativeVerification::DerivativeVerification(Graph const &recorded, Graph cons
     std::vector<std::uint32_t> const &inputs = request.input_slots;
     bool const is_hessian = request.kind == DerivativeKind::hessian;
     std::size_t const rows = is_hessian ? inputs.size() : request.is_matrix() ? request.output_slots.size() : 1;
-    if (request.kind == DerivativeKind::jvp) // along a direction: by all of them
+    if (request.kind == DerivativeKind::jvp) // directional: by all inputs
       by_.resize(off_differences_.size(), {no_input, no_input});
     else
       for (std::size_t i = 0; i < rows; ++i)
         for (std::uint32_t const input : inputs) by_.emplace_back(is_hessian ? inputs[i] : input, input);
   }
   result_.elements.resize(next - recorded.output_count());
-  for (std::size_t k = 0; k < differences_.seed_count(); ++k) // between -1 and 1, no two alike
+  for (std::size_t k = 0; k < differences_.seed_count(); ++k) // distinct, in [-1, 1]
     seeds_.push_back(std::remainder(0.3 + 0.6180339887498949 * static_cast<double>(k), 1.0) * 2);
   std::size_t const passes = differences_.evaluations() + duals_.passes();
   double const each = std::max(1.0, static_cast<double>(recorded.nodes.size() * passes));
@@ -95,7 +95,7 @@ std::vector<double> DerivativeVerification::unpacked(std::vector<double> const &
   return result;
 }
 
-// As of any kernel, but that the reference is the graph with its derivatives.
+// Compares as for any kernel, with the unoptimised derivative graph as reference.
 void DerivativeVerification::compare_with_formulas(Shared const &sample, std::span<double const> promised,
                                                    std::span<double const> found) {
   for (std::size_t k = 0; k < found.size(); ++k) {
@@ -111,10 +111,10 @@ void DerivativeVerification::compare(Sample const &sample, std::span<double cons
   std::vector<double> const values = evaluate(differentiated_, inputs, sample.parameters, call_);
   auto const exact =
       evaluate_extended(differentiated_, std::span<double const>(inputs), sample.parameters, values, call_);
-  if (!exact) return; // at a decision
+  if (!exact) return; // the sample lies on a decision boundary
   ++result_.tried;
   auto const shared = std::make_shared<Sample const>(sample);
-  std::vector<double> formulas, rounding; // of what is stored: the numbers of the formulas, and how far off they are
+  std::vector<double> formulas, rounding; // of the stored derivatives: formula values, rounding errors
   std::size_t const first = differentiated_.results.size() - stored.size();
   for (std::size_t k = 0; k < stored.size(); ++k) {
     formulas.push_back(values[differentiated_.results[first + k]]);
@@ -140,8 +140,8 @@ void DerivativeVerification::compare(Sample const &sample, std::span<double cons
     SharpNumber const &one = sharp[k];
     if (!one) continue;
     auto const difference = static_cast<double>(*one);
-    // Differences that leap agree with each other and with nothing else, and a low kink is hidden behind what bends:
-    // there dual numbers decide.
+    // Steps that leap over a feature agree with each other but not with the derivative, and a low kink hides behind
+    // curvature: dual numbers decide there.
     bool const may_err =
         is_far(k, sample) || !is_off(difference, found[k], low_kink * off_differences_[k], rounding[k]);
     if (has_dual && may_err && is_off(difference, found[k], off_differences_[k], rounding[k]) &&

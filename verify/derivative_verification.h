@@ -1,4 +1,4 @@
-// Derivatives in generated code, against differences of the recorded graph: the original has none to compare with.
+// Verification of derivatives in generated code: compares them with finite differences of the recorded graph.
 #pragma once
 
 #include "engine/optimise/differentiate/differences.h"
@@ -11,43 +11,42 @@
 
 namespace symreal::program {
 
-// What is known of one element after the samples so far.
+// Verdict on one element of a derivative after the samples so far.
 struct DerivativeElement {
-  // Samples: with differences that are sharp; and off these, or off dual numbers, which there are at each.
+  // Samples whose differences are sharp enough to judge by; samples that differ from those, or from dual numbers.
   std::size_t judged = 0, different = 0;
-  // Of the worst: how far off, divided by what is allowed there, so that 1 is the most; and by what.
+  // Worst error, as a fraction of the error allowed there; expected and found values; the reference that gave them.
   double error = 0, expected = 0, found = 0;
   bool is_by_differences = false;
   std::shared_ptr<Sample const> worst = {};
-  // Samples at which it is not the number that the mode promises: that of the formulas before any pass. Of the first:
+  // Samples on which it differs from the unoptimised formulas, which the mode promises to keep; the first such sample:
   std::size_t broken = 0;
   double promised = 0, given = 0;
   std::shared_ptr<Sample const> first_broken = {};
 };
 
 struct DerivativeResult {
-  // That were added, matrices as wholes, also where they are packed; their slots begin behind the original's.
+  // Derivative objects, matrices in full even if stored packed; their slots follow the original's.
   std::vector<Object> objects;
   std::vector<DerivativeElement> elements;
-  std::size_t tried = 0, promised = 0; // samples, and those at which the mode promises equal numbers
+  std::size_t tried = 0, promised = 0; // samples, and those on which the mode promises equal numbers
   std::size_t left_out = 0;            // samples that would have taken too long
   double tolerance = 0;
 };
 
 class DerivativeVerification {
 public:
-  // Throws derivative_unverified for what cannot be checked at all: code in single precision, and graphs that extended
-  // precision cannot evaluate. `recorded` outlives this, and has the functions that give derivatives; `call` calls
-  // those of the program.
-  // `marked` is the same graph, and tells what solvers have found, whose derivatives are not those of what was
-  // executed: then differences alone judge.
+  // Throws derivative_unverified for code in single precision and for graphs that extended precision cannot evaluate.
+  // `recorded` outlives this object and has the functions that give derivatives; `call` calls the program's functions.
+  // `marked` is the same graph with the solvers' results marked: their derivatives are not those of the executed
+  // operations, so differences alone judge.
   DerivativeVerification(Graph const &recorded, Graph const &marked, std::string const &path, Banner const &banner,
                          double tolerance, CallExternal const &call);
 
-  // What is added to the original's inputs: the same for the same seed.
+  // The inputs with the seeds appended; the seeds are the same in every call.
   std::vector<double> with_seeds(std::vector<double> inputs) const;
-  // `stored`: the outputs that are added, at a sample within the premises and all guards. After as many samples as time
-  // allows it leaves them out.
+  // `stored`: the derivative outputs at a sample within the premises and all guards. Leaves samples out once the time
+  // budget is spent.
   void compare(Sample const &sample, std::span<double const> stored);
   DerivativeResult const &result() const { return result_; }
 
@@ -57,28 +56,28 @@ private:
   bool is_at_end() const;
   bool is_far(std::size_t element, Sample const &sample) const;
   void compare_with_formulas(Shared const &sample, std::span<double const> promised, std::span<double const> found);
-  // Whether it is off.
+  // Does `found` differ from `wanted` by more than is allowed?
   static bool is_off(double wanted, double found, double allowed, double rounding);
   static void judge(DerivativeElement &element, Shared const &sample, double wanted, double found, double allowed,
                     double rounding, bool is_by_differences);
-  // Of one number for each output that is added, with all elements of matrices that are packed.
+  // Expands packed matrices: one number for each element of each derivative.
   std::vector<double> unpacked(std::vector<double> const &stored) const;
 
   CallExternal call_;
   Differences differences_;
   DualNumbers duals_;
-  Graph differentiated_; // the formulas before any pass; they also tell how much rounding costs at a sample
+  Graph differentiated_; // formulas before any pass; also measure the rounding error at a sample
   FloatingPoint mode_;
   bool is_implicit_;
   DerivativeResult result_;
-  std::vector<double> off_differences_; // that an element may be
-  // Of each element the slots of the inputs that it is a derivative by; the same one twice of a first derivative.
+  std::vector<double> off_differences_; // per element: error that differences may have
+  // Per element: the slots of the inputs that it is differentiated by; the same slot twice for a first derivative.
   std::vector<std::pair<std::uint32_t, std::uint32_t>> by_;
   std::vector<double> seeds_;
-  std::size_t usual_ = 0, most_ = 0; // samples: as a rule, and where some elements are judged too rarely
+  std::size_t usual_ = 0, most_ = 0; // samples: usual number, and number if some elements are judged too rarely
 };
 
-// Fewer judged samples than this, and an element counts as unverified: half of those tried, if these are fewer.
+// An element with fewer judged samples (or fewer than half of those tried, if that is less) counts as unverified.
 inline constexpr std::size_t least_judged = 10;
 
 } // namespace symreal::program

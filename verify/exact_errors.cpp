@@ -10,7 +10,7 @@ namespace symreal::program {
 
 namespace {
 
-constexpr double most_operations = 4e7; // in up to 256 bits, in more of them fewer: ten seconds
+constexpr double most_operations = 4e7; // ten seconds at up to 256 bits; scaled down for more bits
 
 std::string obstacle(Graph const &graph) {
   return calls_program(graph) ? "it calls functions of the program" : obstacle_to_extended(graph);

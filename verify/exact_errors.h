@@ -1,4 +1,4 @@
-// How far the original and the generated code are from the exact values: those of the recorded graph in so many bits
+// Errors of the original and of the generated code against exact values: the recorded graph evaluated in enough bits
 // that rounding does not show.
 #pragma once
 
@@ -9,32 +9,32 @@
 
 namespace symreal::program {
 
-// Relative to the larger of the exact value's magnitude and 1.
+// Errors of one output, relative to max(|exact value|, 1).
 struct ErrorsOfOutput {
-  double original = 0, generated = 0;                    // the largest
+  double original = 0, generated = 0;                    // largest errors
   std::size_t original_nearer = 0, generated_nearer = 0; // samples
-  std::size_t worst_sample = 0;                          // where one of them has its largest error
+  std::size_t worst_sample = 0;                          // sample with the largest error of either
   bool has_worst() const { return original != 0 || generated != 0; }
 };
 
 struct ErrorResult {
   unsigned bits = 0;
-  std::string obstacle;                // why there are no exact values, in words
-  std::size_t samples = 0;             // that were looked at
-  std::size_t untold = 0;              // besides: a decision falls otherwise in exact numbers, or a value is not finite
-  std::size_t left_out = 0;            // besides: they would take too long
+  std::string obstacle;                // reason why there are no exact values, in words
+  std::size_t samples = 0;             // samples evaluated
+  std::size_t untold = 0;              // samples on which a decision differs in exact numbers, or a value is not finite
+  std::size_t left_out = 0;            // samples skipped for lack of time
   std::vector<ErrorsOfOutput> outputs; // per slot
 };
 
-// Adds what other samples have shown.
+// Adds the results of other samples.
 void join(ErrorResult &result, ErrorResult const &other);
 
 class ExactErrors {
 public:
   ExactErrors(Graph const &graph, unsigned bits);
 
-  // Sample k, at which the nodes have `values` in double precision; none are needed where there is an obstacle. Whether
-  // an error is the largest so far.
+  // Evaluates sample k, where the nodes have `values` in double precision (unused if there is an obstacle). True if an
+  // error is the largest so far.
   bool compare(std::size_t k, Sample const &sample, std::span<double const> values, std::span<double const> original,
                std::span<double const> generated);
 
@@ -43,7 +43,7 @@ public:
 private:
   Graph const &graph_;
   ExactOutputs outputs_;
-  double operations_ = 0; // so far
+  double operations_ = 0; // operations evaluated so far
   ErrorResult result_;
 };
 

@@ -2,7 +2,7 @@
 
 #include "engine/graph/evaluate.h"
 
-// Those of class Multiprecision are found by their arguments.
+// Functions of Multiprecision are found by argument-dependent lookup.
 #define SYMREAL_MATH(function) function
 #include "engine/graph/evaluate_in.h"
 

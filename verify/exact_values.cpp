@@ -35,7 +35,7 @@ void ExactValues::evaluate_call() {
   if (!point_) ++judgement_.untold;
 }
 
-// The same neighbours each time.
+// Neighbours are deterministic.
 void ExactValues::look_at_neighbours() {
   neighbour_errors_.assign(graph_.output_count(), 0);
   std::uint64_t random = 1;

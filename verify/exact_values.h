@@ -1,5 +1,5 @@
-// Mode fast: where generated code is farther from the original than the tolerance, either may be the one that is wrong.
-// The recorded graph in extended precision tells.
+// Verdicts in mode fast: if generated code and original differ beyond the tolerance, the recorded graph in extended
+// precision tells which one is wrong.
 #pragma once
 
 #include "engine/graph/graph.h"
@@ -12,40 +12,40 @@
 
 namespace symreal::program {
 
-// What it told of one output.
+// The verdict on one output.
 struct OutputErrors {
-  std::size_t calls = 0;              // in which the code is as near as the original
-  double original = 0, generated = 0; // the largest errors on these
-  // Where the code is too far off, the worst of it.
+  std::size_t calls = 0;              // calls in which the code is as accurate as the original
+  double original = 0, generated = 0; // largest errors in these calls
+  // Errors in the worst of the calls in which the code is less accurate.
   double failed_original = 0, failed_generated = 0;
 };
 
 struct ExactJudgement {
-  std::string obstacle;   // why it cannot tell, if it was asked and cannot
-  std::size_t calls = 0;  // of which it was asked
-  std::size_t untold = 0; // of these, in which a decision falls otherwise in extended precision
+  std::string obstacle;   // reason why it could not tell, if it was asked
+  std::size_t calls = 0;  // calls that it was asked about
+  std::size_t untold = 0; // of these, calls in which a decision differs in extended precision
   std::vector<OutputErrors> outputs;
 };
 
-// How many inputs near a sample are looked at as well, and how near, relative to each of its numbers.
+// Number of inputs examined near a sample, and their distance relative to each of its numbers.
 inline constexpr int neighbours = 16;
 inline constexpr double neighbourhood = 0x1p-36;
 
-// Asked of one output after the other, of one call after the other.
+// Judge of outputs, called output by output, call by call.
 class ExactValues {
 public:
   explicit ExactValues(Graph const &graph);
 
-  // Another call. The original gives what the graph does, or the graph tells nothing of it.
+  // Begins another call. The graph must reproduce the original's values, or it cannot judge the call.
   void begin(std::span<double const> inputs, std::span<double const> parameters);
-  // Whether the generated number is as near to the exact one as the original's. The original may be near by chance, so
-  // its error is the largest there and at the neighbours.
+  // Is the generated number as accurate as the original's? The original may be accurate by chance, so its error is the
+  // largest at the sample and its neighbours.
   bool accepts(std::size_t slot, double original, double generated, double tolerance);
 
   ExactJudgement const &judgement() const { return judgement_; }
 
 private:
-  // Per output, in double precision and exactly; nothing where it does not tell.
+  // Output values in double precision and in extended precision.
   struct Point {
     std::vector<double> in_double;
     std::vector<long double> exact;
@@ -58,7 +58,7 @@ private:
   std::vector<double> inputs_, parameters_;
   bool is_evaluated_ = false;
   std::optional<Point> point_;
-  std::vector<double> neighbour_errors_; // per output the largest; empty until they are looked at
+  std::vector<double> neighbour_errors_; // largest per output; empty until first needed
   ExactJudgement judgement_;
 };
 

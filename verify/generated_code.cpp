@@ -78,7 +78,7 @@ Banner read_banner(std::string const &path) {
   }
 }
 
-// What makes compilers take the vectors of a file and not the code beside them.
+// Flags that enable the vector width of a file on this processor.
 static std::vector<std::string> vector_flags(std::string const &path, Banner const &banner) {
   std::size_t const bytes = banner.vector * (banner.is_single ? sizeof(float) : sizeof(double));
   if (bytes <= 16) return {};
@@ -91,7 +91,7 @@ static std::vector<std::string> vector_flags(std::string const &path, Banner con
                            banner.vector));
 }
 
-// Functions in a namespace cannot be looked up by name in an object: they get others.
+// Wraps the functions of a namespace in extern "C" functions, which can be looked up by name in an object.
 static std::string with_c_names(std::string const &path, Banner const &banner) {
   bool const guarded = banner.guards != 0;
   char const *const real = banner.is_single ? "float" : "double";
@@ -128,7 +128,7 @@ void GeneratedCode::compile(std::string const &path, Graph const &graph, CodeBui
   if (banner_.threads > 1 && !build.alone) command.push_back("-fopenmp");
   command.insert(command.end(), build.flags.begin(), build.flags.end());
   for (std::string &flag : vector_flags(path, banner_)) command.push_back(std::move(flag));
-  if (is_cpp) { // whatever standard the project has
+  if (is_cpp) { // regardless of the project's standard
     std::string const named = workspace.file("generated_names.cpp");
     write_if_changed(named, with_c_names(path, banner_));
     command.insert(command.end(), {"-std=c++17", named});
@@ -137,7 +137,7 @@ void GeneratedCode::compile(std::string const &path, Graph const &graph, CodeBui
     command.push_back(path);
     prefix_ = banner_.prefix.empty() ? "" : banner_.prefix + "_";
   }
-  if (needs_program_) { // the functions are looked for when they are called, which here none is
+  if (needs_program_) { // lazy binding: the functions are looked up when called, and none is called here
     std::string const calls = workspace.file(is_cpp ? "external_calls.cpp" : "external_calls.c");
     std::string const text = c_external_calls(graph);
     write_if_changed(calls, is_cpp ? "extern \"C\" {\n" + text + "}\n" : text);
@@ -166,7 +166,7 @@ void GeneratedCode::load(std::string const &path) {
     fail(DiagnosticId::generated_code_broken, {path}, fmt::format("the file does not define {}guard_text", prefix_));
 }
 
-// Threads of OpenMP wait for the next call in a library of its own, which must not go.
+// Keeps a library with OpenMP threads loaded: its idle threads wait inside it.
 GeneratedCode::~GeneratedCode() {
   if (library_ && banner_.threads == 1) dlclose(library_);
 }
@@ -176,7 +176,7 @@ GeneratedCode::Result GeneratedCode::run(std::span<double const> inputs, std::sp
   return banner_.is_single ? run_in<float>(inputs, parameters) : run_in<double>(inputs, parameters);
 }
 
-// What no computation yields, among doubles and among floats.
+// The marker of unset outputs, as a double or float NaN that no computation yields.
 template <class Real> static Real mark() {
   if constexpr (std::is_same_v<Real, double>)
     return std::bit_cast<double>(GeneratedCode::untouched);
@@ -184,7 +184,7 @@ template <class Real> static Real mark() {
     return std::bit_cast<float>(std::uint32_t{0x7fa1'dead});
 }
 
-// What the functions are called with.
+// Arguments of the generated functions.
 template <class Real> struct GeneratedCode::Numbers {
   Numbers(GeneratedCode const &code, std::span<double const> inputs, std::span<double const> parameters)
       : input(as_real(inputs)),
@@ -200,7 +200,7 @@ template <class Real> struct GeneratedCode::Numbers {
   std::vector<Real> input, constants, outputs;
 };
 
-// 0, or the number of a guard.
+// Returns 0, or the number of the guard that failed.
 template <class Real> int GeneratedCode::compute(Numbers<Real> &numbers) const {
   Real const *const input = numbers.input.data(), *const constants = numbers.constants.data();
   Real *const outputs = numbers.outputs.data();

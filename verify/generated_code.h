@@ -1,4 +1,4 @@
-// A generated file in C or C++, compiled and loaded, so that it can be called.
+// Loader of generated C and C++ files: compiles a file and calls its functions.
 #pragma once
 
 #include "engine/diagnostics/diagnostic.h"
@@ -13,32 +13,32 @@
 
 namespace symreal::program {
 
-// What the first line of a generated file says of it.
+// Banner of a generated file: the contents of its first line.
 struct Banner {
   std::string kernel, prefix, version;
   FloatingPoint mode = FloatingPoint::finite;
   std::size_t inputs = 0, parameters = 0, constants = 0, outputs = 0, guards = 0;
-  std::string decisions = "error";              // the policy under which the kernel was recorded
-  bool from_instructions = false;               // of the original, as in Graph
-  bool is_single = false;                       // its numbers are float
-  unsigned threads = 1;                         // that share an evaluation
-  unsigned vector = 1;                          // numbers that are computed side by side, where the processor can
-  std::vector<DerivativeWish> derivatives = {}; // that were added, as in Graph
-  bool has_values = true;                       // and not the derivatives alone
-  std::string mathematics = {};                 // the original's library when it was generated; may be unknown
+  std::string decisions = "error";              // policy under which the kernel was recorded
+  bool from_instructions = false;               // recorded from the original's instructions, as in Graph
+  bool is_single = false;                       // its numbers are of type float
+  unsigned threads = 1;                         // number of threads that share an evaluation
+  unsigned vector = 1;                          // numbers per vector, 1 without --vector
+  std::vector<DerivativeWish> derivatives = {}; // derivatives that were added, as in Graph
+  bool has_values = true;                       // false: the file has the derivatives alone
+  std::string mathematics = {};                 // the original's mathematical library at generation; empty if unknown
 };
-// Does the file begin as a generated one?
+// Does the file begin with a banner?
 bool is_generated(std::string const &path);
-// Is a generated file, by its name, C++ and not C?
+// Is a generated file, by its name, in C++ rather than C?
 bool is_generated_cpp(std::string const &path);
-// Throws foreign_file for a file that this version of the tool did not generate.
+// Reads the banner. Throws foreign_file for a file that this version of the tool did not generate.
 Banner read_banner(std::string const &path);
 
-// How the manual says that a generated file is compiled.
+// Flags under which the manual tells users to compile generated files.
 inline constexpr std::array documented_flags = {"-O2", "-ffp-contract=off", "-fno-tree-slp-vectorize",
                                                 "-fno-builtin-pow"};
 
-// By what it is compiled, and to which file of the workspace.
+// Compilers, flags and object file of a compilation.
 struct CodeBuild {
   std::string compiler = "cc", cxx_compiler = "c++";
   std::span<char const *const> flags = documented_flags;
@@ -48,9 +48,8 @@ struct CodeBuild {
 
 class GeneratedCode {
 public:
-  // Throws compiler_missing and generated_code_broken.
-  // `graph`: what the code was generated from. Code with external functions cannot be run here, where these are not;
-  // the replay program runs it (object).
+  // Throws compiler_missing and generated_code_broken. `graph`: the graph that the code was generated from. Code that
+  // calls external functions cannot run in this process, which lacks them; the replay program runs it (`object`).
   GeneratedCode(std::string const &path, Banner const &banner, Graph const &graph, CodeBuild const &build,
                 Workspace const &workspace);
   ~GeneratedCode();
@@ -59,20 +58,20 @@ public:
 
   struct Result {
     int failed;                  // 0, or the number of a guard
-    std::vector<double> outputs; // what the code does not set is `untouched`
+    std::vector<double> outputs; // `untouched` where the code sets none
   };
-  static constexpr std::uint64_t untouched = 0x7ff4'dead'beef'dead; // the bits of a NaN that no computation yields
+  static constexpr std::uint64_t untouched = 0x7ff4'dead'beef'dead; // bits of a NaN that no computation yields
   Banner const &banner() const { return banner_; }
   bool needs_program() const { return needs_program_; }
   std::string const &object() const { return object_; }
-  std::string const &prefix() const { return prefix_; } // of the names in the object
-  // Code in single precision is given, and gives, the numbers rounded to it.
+  std::string const &prefix() const { return prefix_; } // prefix of the names in the object
+  // Calls the code. In single precision, inputs and outputs are rounded to float.
   Result run(std::span<double const> inputs, std::span<double const> parameters);
 
-  // How long a call of `compute` takes, on average of so many in a row.
+  // Mean time of a call of `compute` over `calls` calls in a row.
   double nanoseconds(std::span<double const> inputs, std::span<double const> parameters, std::size_t calls);
 
-  // What the file says of guard `number`.
+  // Text of guard `number` in the file.
   std::string guard_text(std::size_t number) const;
 
 private:
@@ -91,7 +90,7 @@ private:
   std::string object_, prefix_;
   bool needs_program_;
   void *library_ = nullptr;
-  void *preprocess_ = nullptr, *compute_ = nullptr; // of double or float, with guards and without
+  void *preprocess_ = nullptr, *compute_ = nullptr; // functions on double or float, with or without guards
   GuardText guard_text_ = nullptr;
 };
 

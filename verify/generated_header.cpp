@@ -27,7 +27,7 @@ struct Token {
 
 bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '.'; }
 
-// From the begin of the text up to the end of what ends so.
+// Offset behind the next occurrence of `end`, or the end of the text.
 std::size_t end_of(std::string_view text, std::string_view end) {
   std::size_t const at = text.find(end, 1);
   return at == text.npos ? text.size() : at + end.size();
@@ -46,7 +46,7 @@ std::vector<Token> tokens_of(std::string_view text) {
     else if (is_word(text[0]))
       length = static_cast<std::size_t>(std::find_if_not(text.begin(), text.end(), is_word) - text.begin());
     std::string_view const token = text.substr(0, length);
-    // A backslash joins lines, as blanks do not.
+    // Blanks are dropped; a backslash that joins lines stays a token.
     if (!is_comment && !std::isspace(static_cast<unsigned char>(token[0]))) tokens.push_back({token, line});
     line += static_cast<std::size_t>(std::ranges::count(token, '\n'));
     text.remove_prefix(length);
@@ -54,7 +54,7 @@ std::vector<Token> tokens_of(std::string_view text) {
   return tokens;
 }
 
-// The macro that keeps the header from being read twice, which has the name of the file.
+// Name of the include guard, which is derived from the file's name.
 std::string_view guard_of(std::vector<Token> const &tokens) {
   for (std::size_t k = 0; k + 2 < tokens.size(); ++k)
     if (tokens[k].text == "#" && tokens[k + 1].text == "ifndef") return tokens[k + 2].text;
@@ -68,7 +68,7 @@ std::string line_of(std::string_view text, std::size_t line) {
   return std::string(text);
 }
 
-// The kernel as it was generated, with all that a header shows.
+// The kernel as it was generated, reduced to the parts that a header shows.
 Graph shown_of(Graph const &recorded, Banner const &banner) {
   std::optional<Graph> differentiated;
   if (!banner.derivatives.empty()) {

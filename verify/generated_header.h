@@ -1,5 +1,5 @@
-// The header beside a generated file in C or C++, held against the recorded kernel: what it declares must be, token by
-// token, what generation declares. Comments, blanks and the name of the macro that guards it are free.
+// Check of the header beside a generated C or C++ file against the recorded kernel: its declarations must equal, token
+// by token, those that generation writes. Comments, blanks and the name of the include guard may differ.
 #pragma once
 
 #include "engine/graph/graph.h"
@@ -9,10 +9,10 @@
 
 namespace symreal::program {
 
-// Where it stands.
+// Path of the header of a generated file.
 std::string header_of(std::string const &generated);
 
-// `recorded`: the kernel's graph. False: there is no header. Throws header_differs.
+// `recorded`: the kernel's graph. False if the header does not exist. Throws header_differs.
 bool require_header(std::string const &generated, Banner const &banner, Graph const &recorded);
 
 } // namespace symreal::program

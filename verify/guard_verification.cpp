@@ -10,12 +10,12 @@ static bool is_untouched(std::vector<double> const &outputs) {
                      [](double value) { return std::bit_cast<std::uint64_t>(value) == GeneratedCode::untouched; });
 }
 
-// Is it this guard of the graph, as far as the text tells?
+// Does the code's guard have the text of this guard of the graph?
 static bool is_text_of(GuardCheck const &check, Guard const &guard) {
   return check.text.find(guard.text) != check.text.npos;
 }
 
-// May the code return this guard where `failing` is the first of the graph that does not hold?
+// May the code return this guard if `failing` is the graph's first guard that does not hold?
 static bool is_expected(Graph const &graph, std::size_t failing, GuardCheck const &returned,
                         std::vector<GuardCheck> const &guards) {
   if (is_text_of(returned, graph.guards[failing])) return true;

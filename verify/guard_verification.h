@@ -1,4 +1,4 @@
-// Whether generated code refuses exactly where the original decides otherwise than it did while it was recorded.
+// Verification of guards: generated code must refuse a sample exactly if the original decides otherwise than recorded.
 #pragma once
 
 #include "verify/generated_code.h"
@@ -6,9 +6,9 @@
 
 namespace symreal::program {
 
-// What the result should have been on a sample where guard `failing` of the recorded graph is the first that does not
-// hold, the number of guards where all hold. The code may lack guards that follow from others: in place of such a one a
-// later guard of the graph fails. Counts, and keeps the first mismatch.
+// Checks the guard that the code returned. `failing`: the first guard of the recorded graph that does not hold, or the
+// number of guards if all hold. The code may lack a guard that follows from others; then a later guard of the graph may
+// fail in its place. Counts mismatches and keeps the first.
 void check_guards(Graph const &graph, std::size_t failing, GeneratedCode::Result const &result, std::size_t sample,
                   Verification &verification);
 

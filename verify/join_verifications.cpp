@@ -1,4 +1,4 @@
-// Verifications of several shards as one.
+// Joins the verifications of several shards.
 #include "verify/verification.h"
 
 #include <algorithm>

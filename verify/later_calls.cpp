@@ -6,11 +6,11 @@ namespace symreal::program {
 
 namespace {
 
-constexpr int most_draws = 6; // for a call
+constexpr int most_draws = 6; // draws per call
 
 } // namespace
 
-// A sample that is replayed alone has the later calls that it had among others.
+// Seed that depends on the sample alone, so that a replayed sample gets the same later calls.
 std::uint64_t LaterCalls::seed_of(Sample const &first) const {
   std::uint64_t hash = seed_;
   for (std::vector<double> const *numbers : {&first.inputs, &first.parameters})
@@ -31,10 +31,10 @@ std::optional<LaterCall> LaterCalls::after(Replay const &original, Sample sample
 std::vector<LaterCall> LaterCalls::inside(Replay const &original, Sample const &first,
                                           std::span<double const> outputs) const {
   SampleSource source(graph_, seed_of(first));
-  (void)source.next(); // the recorded one
+  (void)source.next(); // skips the recorded sample
   std::vector<LaterCall> calls;
   for (int draw = 0; draw < most_draws && calls.size() < Replay::most_later; ++draw) {
-    // The first sample on its new state may lie inside where nothing that is drawn does.
+    // The last draw reuses the first sample, which may lie inside if no drawn sample does.
     std::optional<LaterCall> next = after(original, draw + 1 < most_draws ? source.next() : first, outputs);
     if (!next) continue;
     calls.push_back(std::move(*next));

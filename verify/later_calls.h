@@ -1,5 +1,5 @@
-// Further calls of a kernel in a row, on inputs and parameters of their own: state that a first call makes from its
-// inputs, and that later calls keep, shows in no other way.
+// Sequences of calls of a kernel, each with its own inputs and parameters: only they expose state that the first call
+// derives from its inputs and later calls keep.
 #pragma once
 
 #include "engine/graph/evaluate.h"
@@ -12,13 +12,13 @@
 namespace symreal::program {
 
 struct LaterCall {
-  Sample sample;               // as the generated code is given it: state is what the call before it gave
-  std::vector<double> outputs; // of the generated code
+  Sample sample;               // inputs of the generated code; state holds the outputs of the call before
+  std::vector<double> outputs; // outputs of the generated code
 };
 
 class LaterCalls {
 public:
-  // `run`: the generated code.
+  // `run` calls the generated code.
   LaterCalls(Graph const &graph, FloatingPoint mode, std::uint64_t seed,
              std::function<GeneratedCode::Result(Sample const &)> run)
       : graph_(graph),
@@ -26,14 +26,14 @@ public:
         seed_(seed),
         run_(std::move(run)) {}
 
-  // Calls within the premises and all guards, after one on `first` that gave `outputs`. The same for the same sample.
-  // Fewer than Replay::most_later where no such sample is found in a few draws.
+  // Later calls within the premises and all guards, after a first call on `first` that gave `outputs`; deterministic in
+  // `first`. Fewer than Replay::most_later if a few draws find no such sample.
   std::vector<LaterCall> inside(Replay const &original, Sample const &first, std::span<double const> outputs) const;
 
-  // The same call where the one before it gave these outputs; nullopt outside of the premises and guards.
+  // The same call with the state of these outputs; nullopt if it violates the premises or a guard.
   std::optional<LaterCall> after(Replay const &original, Sample sample, std::span<double const> outputs) const;
 
-  // A sample on which the original has a meaning and some guard fails, after the same call; nullopt if none is drawn.
+  // A sample after the same first call on which the original is defined and some guard fails; nullopt if none is drawn.
   std::optional<Sample> beyond_guards(Replay const &original, Sample const &first,
                                       std::span<double const> outputs) const;
 

@@ -1,4 +1,4 @@
-// Numbers of as many bits as asked for, with the functions of <cmath>: those of the MPFR library, rounded to nearest.
+// Numbers of selectable precision with the functions of <cmath>, by the MPFR library, rounded to nearest.
 #pragma once
 
 #include <compare>
@@ -8,7 +8,7 @@ namespace symreal::program {
 
 class Multiprecision {
 public:
-  // Of each number that is made from now on.
+  // Sets the precision of numbers constructed from now on.
   static void set_bits(unsigned bits) { mpfr_set_default_prec(static_cast<mpfr_prec_t>(bits)); }
 
   explicit Multiprecision(double value = 0) { mpfr_init_set_d(value_, value, MPFR_RNDN); }
@@ -112,7 +112,7 @@ public:
   }
   friend Multiprecision logb(Multiprecision const &x) {
     if (mpfr_regular_p(x.value_)) return Multiprecision(static_cast<double>(mpfr_get_exp(x.value_) - 1));
-    return log2(fabs(x)); // the poles are the same
+    return log2(fabs(x)); // same poles as logb
   }
   friend Multiprecision nextafter(Multiprecision const &x, Multiprecision const &y) {
     Multiprecision result = x;

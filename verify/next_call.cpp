@@ -20,7 +20,7 @@ std::vector<std::string> words_of(std::string const &text) {
   return words;
 }
 
-// The name of each parameter, or what stands last where it has none or its type goes around it.
+// Name of each parameter, or the last word of its declaration if it is unnamed or its declarator encloses the name.
 std::vector<std::string> parameters_of(rewrite::Kernel const &kernel) {
   std::string const &text = kernel.signature.declaration;
   std::size_t begin = text.find(kernel.name + "(");
@@ -45,7 +45,7 @@ std::vector<std::string> parameters_of(rewrite::Kernel const &kernel) {
   return {""};
 }
 
-constexpr unsigned seconds = 2; // for a sample
+constexpr unsigned seconds = 2; // time limit of a sample
 
 } // namespace
 
@@ -53,7 +53,7 @@ bool is_next_call_comparable(Recorded const &recorded) {
   rewrite::Kernel const &kernel = recorded.kernel;
   rewrite::Redefinition const &function = kernel.signature.redefinition;
   if (!kernel.is_function || function.has_this || !recorded.graph.frozen.empty()) return false;
-  // Another shape may have as many numbers.
+  // Other shapes may have the same number of elements.
   if (!wrapper_containers(kernel, recorded.graph).empty()) return false;
   std::vector<std::string> named;
   auto const add = [&named](std::string const &text) {

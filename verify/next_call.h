@@ -1,5 +1,4 @@
-// The program's own next call of a kernel: what the program changes between two calls, and the recording has baked in,
-// shows there.
+// Check of the program's own next call of a kernel: exposes baked-in values that the program changes between calls.
 #pragma once
 
 #include "runtime/replay/samples.h"
@@ -9,12 +8,12 @@
 
 namespace symreal::program {
 
-// Whether the next call must be the recorded one on other inputs: nothing is said to be constant, the recording has
-// told of nothing that it bakes in, the clauses name every argument, and as many numbers have one shape.
+// Must the next call be the recorded one on other inputs? True if nothing is declared constant or reported as baked in,
+// the clauses name every argument, and the number of inputs determines their shapes.
 bool is_next_call_comparable(Recorded const &recorded);
 
-// `first`: the original in the recorded call. On how many of the samples the original gives other outputs there than
-// the generated code. None where the program has no such call, or gives arguments in one place that lay apart.
+// Number of samples on which the original's outputs in the next call differ from the generated code's. `first`: the
+// original in the recorded call. 0 if the program makes no such call, or passes overlapping arguments that lay apart.
 std::size_t different_in_next_call(Front const &front, RunOptions const &run, Recorded const &recorded,
                                    GeneratedCode &code, Replay &first, std::string const &executable,
                                    std::vector<Sample> const &samples, double tolerance);

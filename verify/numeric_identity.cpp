@@ -21,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
 
-// Where the rewritten files lie: each below `top`, at its real path.
+// Mirror of the rewritten files: each lies below `top` at its real path.
 class Shadow {
 public:
   Shadow(rewrite::Result const &rewritten, std::string top) : rewritten_(rewritten), top_(std::move(top)) {
@@ -32,21 +32,21 @@ public:
     link_neighbours(rewritten, top_);
   }
 
-  // Is there one of this directory or file?
+  // The mirror's path of this directory or file, if it exists there.
   std::optional<std::string> counterpart(fs::path const &name) const {
     std::error_code error;
     std::string const path = top_ + fs::weakly_canonical(name, error).string();
     return !error && fs::exists(path) ? std::optional(path) : std::nullopt;
   }
 
-  // Where else a rewritten file finds what is left as it is: what the configuration excludes.
+  // Original directories of the rewritten files, where they find excluded files.
   std::set<std::string> directories() const {
     std::set<std::string> found;
     for (rewrite::File const &file : rewritten_.files) found.insert(fs::path(file.path).parent_path().string());
     return found;
   }
 
-  // The rewritten file that a compiler reads under this name.
+  // The rewritten file that this name denotes to a compiler.
   rewrite::File const *file(std::string const &name) const {
     std::error_code error;
     std::string const real = fs::weakly_canonical(name, error).string();
@@ -55,7 +55,7 @@ public:
     return nullptr;
   }
 
-  // So that the files have the names of the originals.
+  // Flag that gives the files the names of the originals.
   std::string names() const { return "-ffile-prefix-map=" + top_ + "="; }
 
 private:
@@ -63,18 +63,18 @@ private:
   std::string const top_;
 };
 
-// How one compilation names the shadow. A header has many names, by the directory in which it is found and by what
-// includes it, and __FILE__ is the one by which it was found. So each name of a directory is a symbolic link of its own
-// to the counterpart, which the compiler puts back.
+// Names of the mirror in one compilation. A header has a name for each directory and including file by which it is
+// found, and __FILE__ is the one used. So each name of a directory gets its own symbolic link to its counterpart, which
+// a prefix map turns back.
 class ShadowNames {
 public:
-  // `links`: a directory that is this compilation's alone.
+  // `links`: a directory for this compilation alone.
   ShadowNames(Shadow const &shadow, std::string directory, std::string links, std::string const &compiler)
       : shadow_(shadow),
         directory_(std::move(directory)),
         links_(std::move(links)),
         is_clang_(compiler.find("clang") != compiler.npos) {
-    constexpr char const *keep_dots = "-fno-file-reproducible"; // else clang leaves them out where names are mapped
+    constexpr char const *keep_dots = "-fno-file-reproducible"; // otherwise clang drops "./" from mapped names
     if (is_clang_ && capture({.arguments = {compiler, keep_dots, "-E", "-x", "c", "/dev/null"}}).outcome.success())
       maps.emplace_back(keep_dots);
     maps.push_back(shadow_.names());
@@ -82,7 +82,7 @@ public:
 
   std::optional<std::string> directory(std::string const &name) {
     auto const found = shadow_.counterpart(fs::path(directory_) / name);
-    std::size_t const last = name.find_last_not_of('/'); // compilers leave out what follows
+    std::size_t const last = name.find_last_not_of('/'); // compilers drop trailing slashes
     return found ? std::optional(link(*found, name.substr(0, last + 1), "")) : std::nullopt;
   }
 
@@ -91,7 +91,7 @@ public:
     auto const found = shadow_.counterpart(fs::path(directory_) / within);
     if (!found || !fs::exists(*found + "/" + last)) return std::nullopt;
     std::string path = link(*found, within, "/") + last;
-    // What a file beside includes is "file.h" to gcc, and "./file.h" to clang.
+    // An included file beside its includer is named "file.h" by gcc, "./file.h" by clang.
     if (is_clang_ && within.empty()) {
       maps.back() += "./";
       maps.push_back("-ffile-prefix-map=" + path + "=" + last);
@@ -99,11 +99,11 @@ public:
     return path;
   }
 
-  Words maps; // what the compiler must be told
+  Words maps; // flags that map the links back
 
 private:
   std::string link(std::string const &target, std::string const &name, char const *slash) {
-    // No name of a link begins with that of another.
+    // The number keeps each link's name from being a prefix of another's.
     std::string const path = links_ + "/" + std::to_string(maps.size()) + "_";
     fs::create_directory_symlink(target, path);
     maps.push_back("-ffile-prefix-map=" + path + slash + "=" + name);
@@ -115,7 +115,7 @@ private:
   bool const is_clang_;
 };
 
-// Without what chooses outputs; an object is wanted, of machine code.
+// Flags without those that choose outputs; the result is an object of machine code.
 Words compiling(Words const &flags) {
   using rewrite::About;
   Words words =
@@ -155,14 +155,14 @@ Object compile(Words words, std::string const &file, std::string const &director
   return {false, {}, compiled.output};
 }
 
-// One source before and after, as command lines.
+// Command lines of one source before and after rewriting.
 struct Pair {
   Words before, after;
   std::string directory;
   Object original, changed;
 };
 
-// `name_flags`: what the compiler must be told about the number's name.
+// `name_flags`: flags that define the number's type name.
 Pair prepare(rewrite::Compilation const &one, Shadow const &shadow, Compilers const &compilers, Words const &name_flags,
              std::string const &links) {
   Pair pair;
@@ -185,7 +185,7 @@ Pair prepare(rewrite::Compilation const &one, Shadow const &shadow, Compilers co
   return pair;
 }
 
-// A line of a compiler's message, with the file's name and the column that the user has.
+// Line of a compiler's message with file name and column mapped to the original.
 std::string in_original(std::string const &line, Shadow const &shadow) {
   std::optional<MessageLine> const message = message_line(line);
   if (!message) return line;
@@ -197,7 +197,7 @@ std::string in_original(std::string const &line, Shadow const &shadow) {
 }
 
 std::string whole_message(std::string const &output, Shadow const &shadow) {
-  // One line goes behind what is said of it.
+  // A single line follows on the message's own line.
   if (output.find('\n') + 1 >= output.size() || output.find('\n') == output.npos)
     return " " + output.substr(0, output.find('\n'));
   std::string text;

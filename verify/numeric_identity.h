@@ -1,5 +1,5 @@
-// Numeric mode is the original: compiles sources before and after the rewriting with the same flags, and compares the
-// object code, symbol and debugging tables aside.
+// Check that numeric mode is the original: compiles sources before and after rewriting with the same flags and compares
+// the object code, without symbol and debug tables.
 #pragma once
 
 #include "program/build/workspace.h"
@@ -10,7 +10,7 @@
 
 namespace symreal::program {
 
-// By the ending of a source; an empty one: as the source's own build has it, else cc and c++.
+// Compilers by the extension of a source; empty: the compiler of the source's own build, else cc and c++.
 struct Compilers {
   std::string c, cxx;
 };
@@ -20,7 +20,7 @@ struct ObjectComparison {
   std::vector<Diagnostic> diagnostics; // numeric_difference, build_failed
 };
 
-// So many compilers run at once.
+// Compares all sources; `jobs` compilers run at once.
 ObjectComparison compare_object_code(std::vector<rewrite::Compilation> const &sources, rewrite::Result const &rewritten,
                                      Compilers const &compilers, unsigned jobs, Workspace const &workspace);
 

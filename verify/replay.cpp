@@ -20,17 +20,17 @@
 
 namespace symreal::program {
 
-// The running process, its pipes and the shared file.
+// Server process with its pipes and the shared file.
 struct Replay::Server {
   replay::Head *head = nullptr;
   std::size_t size = 0;
-  std::uint32_t seconds = 0;       // after which a sample is given up, unless another limit is asked for
-  int commands = -1, answers = -1; // our ends
+  std::uint32_t seconds = 0;       // default time limit of a sample
+  int commands = -1, answers = -1; // this process's ends of the pipes
   std::jthread process;
-  Outcome outcome{Ending::exited}; // once the process has ended
+  Outcome outcome{Ending::exited}; // valid once the process has ended
 
   ~Server() {
-    if (commands >= 0) close(commands); // which ends the server
+    if (commands >= 0) close(commands); // ends the server
     if (process.joinable()) process.join();
     if (answers >= 0) close(answers);
     if (head) munmap(head, size);
@@ -158,7 +158,7 @@ void Replay::ask(replay::Command command, Sample const &sample, std::span<Sample
          "on a sample " + what_ + " reached other annotations than in the recorded run");
 }
 
-// The server limits the time of a sample; the time to the kernel's first annotation is limited here.
+// Waits for the answer. The server limits a sample's time; the time to the kernel's first annotation is limited here.
 void Replay::wait_for_answer() {
   Server const &server = *server_;
   pollfd answer = {server.answers, POLLIN, 0};

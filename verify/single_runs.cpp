@@ -6,7 +6,7 @@
 
 namespace symreal::program {
 
-// The code rounds at other places than the graph, which has not been through the passes.
+// Less than 1: the optimised code rounds at other places than the recorded graph.
 constexpr static double share_of_tolerance = 0.25;
 
 Sample in_single_precision(Sample sample) {

@@ -1,5 +1,5 @@
-// What single precision itself makes of a sample: the recorded graph, each of its numbers rounded to float, to the
-// nearest and to either side. Where these are not near the original, no code in float can be expected to be.
+// Runs of the recorded graph in single precision, rounding each number to nearest, down and up: if they are far from
+// the original, float code cannot be expected to be near.
 #pragma once
 
 #include "engine/graph/evaluate.h"
@@ -9,18 +9,18 @@
 
 namespace symreal::program {
 
-// Generated code in float and the original are given the same numbers.
+// Rounds the sample to float, for the generated code and the original alike.
 Sample in_single_precision(Sample sample);
 
 class SingleRuns {
 public:
   SingleRuns(Graph const &graph, Sample const &sample);
 
-  // Where one of them leaves the range of a float, or what is defined.
+  // Premises that hold in all runs: no run leaves the range of float or the defined domain.
   Premises premises() const;
-  // One of them stops at another guard than the original, or at none.
+  // Does a run stop at another guard than the original, or at none?
   bool decide_otherwise(std::size_t failing_guard) const;
-  // One of them is farther from the original's number than a fraction of the tolerance.
+  // Is a run farther from the original's number than a fraction of the tolerance?
   bool lose(std::size_t slot, double original, double tolerance) const;
 
 private:

@@ -10,7 +10,7 @@ namespace symreal::program {
 namespace {
 
 constexpr std::size_t turns = 51, least_turns = 5;
-constexpr double turn = 2e6, most_time = 1e9; // nanoseconds of one turn, and of all
+constexpr double turn = 2e6, most_time = 1e9; // nanoseconds: of one turn, of all turns
 constexpr std::size_t most_calls = 100000;
 
 double quantile(std::vector<double> const &ascending, double share) {
@@ -27,7 +27,7 @@ ThreadTimes times_of(GeneratedCode &alone, GeneratedCode &together, Sample const
     return code.nanoseconds(sample.inputs, sample.parameters, calls);
   };
   time(together, 1); // starts the threads
-  // Where other processes take the processors away, threads that wait for each other take far longer.
+  // Threads that wait for each other take far longer on a busy machine.
   double const once = std::max({time(alone, 2), time(together, 2), 1.0});
   std::size_t const calls = std::clamp<std::size_t>(static_cast<std::size_t>(turn / once), 1, most_calls);
   std::vector<double> one, all, gain;

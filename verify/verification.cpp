@@ -53,7 +53,7 @@ Recorded const &require_match(std::vector<Recorded> const &kernels, Banner const
 
 namespace {
 
-// An object that is left changed, in words. On the stack and the heap only its place tells one from another.
+// Description of an object that is left changed. Objects on the stack and the heap are told apart by place only.
 std::string describe(replay::LeftBehind const &left) {
   switch (left.region) {
   case memory::Region::static_object: return "'" + llvm::demangle(left.name) + "'";
@@ -63,7 +63,7 @@ std::string describe(replay::LeftBehind const &left) {
   return {};
 }
 
-// What a static variable of a function is called in the source; empty if the linker's name is not that of one.
+// Source name of a function's static variable; empty if the linker's name denotes something else.
 std::string local_name(std::string const &linker_name) {
   if (linker_name.starts_with("_ZZ")) {
     std::string const name = llvm::demangle(linker_name);
@@ -188,18 +188,18 @@ public:
   }
 
 private:
-  // Not where the graph is evaluated in another process, nor of samples that someone chose.
+  // Decisions are not counted if the graph is evaluated in another process or the user chose the samples.
   bool counts_decisions() const { return !code_.needs_program() && options_.replayed.empty(); }
 
-  // Whether it decides as the original does, wherever that may be. Otherwise rounding moves the boundaries.
+  // Does the code decide exactly as the original does? Otherwise rounding moves the decision boundaries.
   bool is_exact() const { return banner_.mode != FloatingPoint::fast && !banner_.is_single; }
 
-  // Modes that promise equal numbers have no tolerance of their own for what the original does not have.
+  // Tolerance of derivatives: the usual one in modes that promise equal numbers, as the original has no derivatives.
   double derivative_tolerance() const {
     return banner_.mode == FloatingPoint::fast ? options_.tolerance : VerificationOptions().tolerance;
   }
 
-  // What dual numbers and the formulas of derivatives call besides.
+  // The graph completed by the functions that dual numbers and derivative formulas call; nullopt if it needs none.
   static std::optional<Graph> with_derivative_functions(Graph const &graph, Banner const &banner) {
     bool const has_implicit = std::ranges::any_of(graph.externals, is_implicit);
     if (!has_implicit && (banner.derivatives.empty() || !calls_program(graph))) return std::nullopt;
@@ -218,7 +218,7 @@ private:
     return derivatives_ ? derivatives_->with_seeds(inputs) : inputs;
   }
 
-  // The generated code as the user's project would compile it.
+  // Compiles the generated code as the user's project would.
   void compile_with_own_flags(Front const &front, std::string const &path) {
     std::vector<char const *> words;
     for (std::string const &flag : front.own_flags) words.push_back(flag.c_str());
@@ -228,7 +228,7 @@ private:
     result_.own_code_ulp.resize(graph_.output_count());
   }
 
-  // In words.
+  // Place of a decision, in words.
   std::string place_of(symreal::Decision const &decision) const {
     std::string const place = decision.location == no_location ? "" : describe_locations(graph_, {decision.location});
     return place.empty() ? "where no place is known" : place;
@@ -253,7 +253,7 @@ private:
     if (result_.named.size() > 2 * most_named_) keep_named();
   }
 
-  // Samples that were the worst for a while go.
+  // Drops samples that are no longer the worst of any output.
   void keep_named() {
     std::map<std::size_t, Sample> kept;
     auto const keep = [&](std::size_t k) {
@@ -291,7 +291,7 @@ private:
     Evaluation const evaluated = evaluate_recorded(sample);
     GeneratedCode::Result const computed = in_program ? original_->run_generated(sample, with_seeds(sample.inputs))
                                                       : code_.run(with_seeds(sample.inputs), sample.parameters);
-    // What the functions that it calls have left, as those of the original do.
+    // State left by the functions that the generated code calls; the original's functions leave the same.
     left_by_generated_ = in_program ? original_->left_behind() : std::vector<replay::LeftBehind>();
     if (threads_) threads_->compare({with_seeds(sample.inputs), sample.parameters}, computed);
     if (banner_.is_single) single_.emplace(graph_, sample);
@@ -308,14 +308,14 @@ private:
       check_guards(graph_, evaluated.failing_guard, computed, k, result_);
       is_named_ |= result_.guard_mismatch && result_.guard_mismatch->sample == k;
     }
-    // Beyond a guard the original goes where the recording has not been, and nothing is promised.
+    // Beyond a guard the original takes an unrecorded path, where nothing is promised.
     if (evaluated.failing_guard < graph_.guards.size() || computed.failed != 0 || !premises.defined) return;
     bool const is_called_again = inside && !in_program && !single_ && banner_.has_values;
     std::vector<LaterCall> const later =
         is_called_again ? plan_later(sample, computed.outputs) : std::vector<LaterCall>();
     std::vector<double> const original = run_original(sample, later);
     returned_ = original_->returned();
-    // Code of derivatives alone has no values that could differ.
+    // Code with derivatives alone has no values to compare.
     std::size_t const values = banner_.has_values ? original.size() : 0;
     std::vector<double> const generated =
         banner_.has_values
@@ -333,7 +333,7 @@ private:
     result_.inside += inside;
   }
 
-  // A sample that the other compiler's program does not end on says nothing of the generated code.
+  // Counts branches. A sample on which the counting build does not end says nothing about the generated code.
   void count_branches(Sample const &sample) {
     try {
       covered_->run(sample);
@@ -346,7 +346,7 @@ private:
 
   void finish_branches() {
     covered_run_.stack = covered_->stack();
-    covered_.reset(); // which writes the counts
+    covered_.reset(); // the program writes the counts when it ends
     result_.branches = read_branches(covered_run_, annotated_, kernel_);
   }
 
@@ -379,7 +379,7 @@ private:
     if (wrapped_) compare_wrapper(k, sample, generated);
     if (own_code_)
       keep_worst(result_.own_code_ulp, original, own_code_->run(with_seeds(sample.inputs), sample.parameters).outputs);
-    if (!code_.needs_program() && examined_ < most_examined) examine(sample); // last: it runs the original again
+    if (!code_.needs_program() && examined_ < most_examined) examine(sample); // last, as it runs the original again
   }
 
   void examine(Sample const &sample) {
@@ -392,13 +392,13 @@ private:
       std::string const place = frames.empty() ? "" : " (" + to_string(frames.front().place) + ")";
       if (one.is_read == 0)
         add_left(result_.overwritten, describe(one.object) + place);
-      else if (graph_.frozen.empty()) // else that is as it was asked for
+      else if (graph_.frozen.empty()) // otherwise frozen state was accepted by the user
         add_left(result_.unnamed, describe(one.object) + place);
     }
   }
 
   std::vector<LaterCall> plan_later(Sample const &sample, std::vector<double> const &generated) {
-    if (!original_->has_run()) (void)original_->run(sample); // which tells what is state
+    if (!original_->has_run()) (void)original_->run(sample); // a run tells which inputs are state
     return later_calls_.inside(*original_, sample, generated);
   }
 
@@ -408,10 +408,10 @@ private:
     return original_->run(sample, samples);
   }
 
-  // Called again and again on the state that the original leaves, the generated code must stay with it. Rounding of
-  // mode fast is a matter of first calls: there only that counts which the original would not give as a first call.
+  // Compares later calls, each on the state that the original leaves. In mode fast, a difference counts only if the
+  // original would give another output in a first call: rounding is judged by first calls.
   void compare_later(std::size_t k, std::vector<LaterCall> const &planned) {
-    std::vector<std::pair<LaterCall, std::vector<double>>> calls; // and what the original gives
+    std::vector<std::pair<LaterCall, std::vector<double>>> calls; // and the original's outputs
     for (std::size_t call = 1; call < original_->calls(); ++call) {
       LaterCall const &plan = planned[call - 1];
       std::vector<double> const before = original_->outputs_of(call - 1);
@@ -429,8 +429,8 @@ private:
     }
   }
 
-  // The user calls the original where a guard fails, which has not seen the calls of the generated code: it must not
-  // need anything that they would have left. Beyond the guards the original may fail or not end, which says nothing.
+  // Compares the original beyond a guard, after calls of the generated code that it has not seen: it must not need
+  // state from them. Failing or not ending beyond the guards says nothing.
   void compare_beyond(std::size_t k, Sample const &sample, std::vector<double> const &generated) {
     std::optional<Sample> const beyond = later_calls_.beyond_guards(*original_, sample, generated);
     if (!beyond) return;
@@ -441,14 +441,14 @@ private:
       if (original_->calls() < 2) return;
       std::vector<double> const after = original_->outputs_of(1);
       for (std::size_t slot = 0; slot < alone.size(); ++slot)
-        if (after[slot] != replay::spoilt_output) // else it is not written there
+        if (after[slot] != replay::spoilt_output) // the original writes this output
           is_named_ |= result_.called_beyond[slot].add(k, after[slot], alone[slot], FloatingPoint::strict, 0);
     } catch (DiagnosticError const &) {
       tried_beyond_ = most_beyond;
     }
   }
 
-  // In mode fast what is beyond the tolerance may be the original's own error.
+  // Adds a comparison. In mode fast a difference beyond the tolerance may be the original's own error.
   void add(OutputComparison &output, std::size_t k, std::size_t slot, double original, double generated) {
     bool const is_same = same(original, generated, banner_.mode, options_.tolerance);
     if (!is_same && banner_.mode == FloatingPoint::fast &&
@@ -483,7 +483,7 @@ private:
            std::find(scratch_.begin(), scratch_.end(), local_name(left.name)) != scratch_.end();
   }
 
-  // The wrapper hands over what the code computes, and touches nothing else.
+  // Checks that the wrapper passes on the code's outputs and touches nothing else.
   void compare_wrapper(std::size_t k, Sample const &sample, std::vector<double> const &generated) {
     std::vector<double> const wrapped = wrapped_->run(sample);
     for (std::size_t slot = 0; slot < wrapped.size(); ++slot)
@@ -495,10 +495,10 @@ private:
     if (tried_wrapped_.size() < most_varied) tried_wrapped_.push_back(sample);
   }
 
-  // In later calls, of which a guard refuses one where it can, the program with the wrapper is the original.
+  // Checks later calls, one beyond a guard if possible: the program with the wrapper must act as the original.
   void compare_wrapped_calls(std::size_t k, Sample const &sample, std::vector<double> const &generated) {
     bool const has_answer = banner_.mode != FloatingPoint::fast && !code_.needs_program() && banner_.has_values;
-    if (!has_answer || tried_wrapped_calls_ >= most_beyond) return; // errors go on, or none evaluates
+    if (!has_answer || tried_wrapped_calls_ >= most_beyond) return; // errors propagate, or no evaluator
     ++tried_wrapped_calls_;
     std::vector<Sample> later;
     if (std::optional<Sample> beyond = later_calls_.beyond_guards(*original_, sample, generated))
@@ -519,15 +519,15 @@ private:
       if (!is_refused && !evaluated.premises.hold_in(banner_.mode)) return;
       std::vector<double> const original = original_->outputs_of(call), wrapped = wrapped_->outputs_of(call);
       for (std::size_t slot = 0; slot < original.size(); ++slot) {
-        // Beyond a guard, where the original was called, nothing is said of values that are not finite.
+        // Beyond a guard the wrapper calls the original; NaNs are equal there.
         bool const is_nan = is_refused && std::isnan(original[slot]) && std::isnan(wrapped[slot]);
-        if (original[slot] != replay::spoilt_output && !is_nan) // else it is not written there
+        if (original[slot] != replay::spoilt_output && !is_nan) // the original writes this output
           is_named_ |= result_.wrapped[slot].add(k, original[slot], wrapped[slot], banner_.mode, options_.tolerance);
       }
     }
   }
 
-  // The recording tells of the rest when code is generated.
+  // Effects that the recording already reports (frozen state) are skipped.
   void add_outside(replay::OutsideEffect const &effect) {
     if (effect.kind != replay::Outside::result)
       return add_left(effect.kind == replay::Outside::lasts ? result_.changes_outside : result_.outside, effect.what);
@@ -546,7 +546,7 @@ private:
   RunOptions const &run_;
   Recorded const &recorded_;
   VerificationOptions const &options_;
-  std::optional<Graph> completed_; // of a kernel that calls functions of the program and has derivatives
+  std::optional<Graph> completed_; // if the kernel calls functions of the program and has derivatives
   Graph const &graph_;
   std::vector<std::string> const &scratch_;
   rewrite::Result const &annotated_;
@@ -560,11 +560,11 @@ private:
   std::optional<ExactErrors> errors_;
   std::optional<ThreadVerification> threads_;
   std::optional<DerivativeVerification> derivatives_;
-  std::optional<Sample> timed_;      // the first within the premises and all guards
-  std::optional<SingleRuns> single_; // of the sample that is tried, where the code is in single precision
+  std::optional<Sample> timed_;      // first sample within the premises and all guards
+  std::optional<SingleRuns> single_; // of the current sample, in single precision
   std::unique_ptr<Replay> original_, rewritten_, own_flags_, wrapped_, covered_;
   std::string wrapped_program_;
-  std::uint64_t returned_ = 0; // by the original on the last sample, besides numbers
+  std::uint64_t returned_ = 0; // hash of the original's non-numeric result on the last sample
   std::vector<Sample> tried_wrapped_, tried_next_;
   bool asks_next_call_ = false;
   Symbolizer symbolizer_; // of the original
@@ -572,16 +572,16 @@ private:
   unsigned examined_ = 0;
   static constexpr std::size_t most_varied = 4;
   CoveredRun covered_run_;
-  static constexpr std::size_t most_beyond = 100; // samples that are followed by one beyond the guards
+  static constexpr std::size_t most_beyond = 100; // samples followed by one beyond the guards
   static constexpr unsigned seconds_beyond = 1;
   std::size_t tried_beyond_ = 0, tried_wrapped_calls_ = 0;
   std::vector<replay::LeftBehind> left_by_generated_;
   std::vector<symreal::Decision> decisions_;
-  std::vector<double> values_; // of the recorded graph, at the sample that is tried
+  std::vector<double> values_; // of the recorded graph, at the current sample
   static constexpr std::size_t least_named = 1000;
-  static constexpr double least_apart = 0x1p-20; // of samples on both sides of a boundary that rounding moves
+  static constexpr double least_apart = 0x1p-20; // distance of samples on both sides of a boundary that rounding moves
   std::size_t most_named_ = least_named;
-  bool is_named_ = false; // something names the sample that is tried
+  bool is_named_ = false; // a result refers to the current sample
   Verification result_;
 };
 

@@ -22,7 +22,7 @@ std::vector<LeftState> values_missed_by_wrapper(Front const &front, RunOptions c
   using Results = std::vector<std::vector<double>>;
   std::vector<LeftState> missed;
   std::vector<Variation> const variations = wrapper_variations(recorded);
-  // Nothing where the program does not end on a sample.
+  // Outputs on all samples; nullopt if the program does not end on one.
   auto const results = [&](std::string const &wish) -> std::optional<Results> {
     Replay program("the original with its wrapper", executable, run, recorded.begun_as, graph, *front.workspace, &code,
                    {}, {"SYMREAL_VARY=" + wish});
@@ -46,7 +46,7 @@ std::vector<LeftState> values_missed_by_wrapper(Front const &front, RunOptions c
     std::optional<Results> const original = results(without);
     if (!original) continue;
     std::size_t const different = count_different(*original, results(std::to_string(k + 1)));
-    // Memory beyond an extent may hold anything.
+    // Reruns the original: memory beyond an extent may hold anything, so its outputs may vary.
     if (different != 0 && count_different(*original, results(without)) == 0)
       missed.push_back({variations[k].where, different});
   }

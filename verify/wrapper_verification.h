@@ -1,4 +1,4 @@
-// A wrapper where the caller gives other values than the recording has baked in: it must notice.
+// Verification that a wrapper notices values other than those that the recording has baked in.
 #pragma once
 
 #include "runtime/replay/samples.h"
@@ -7,9 +7,9 @@
 
 namespace symreal::program {
 
-// `executable`: the original with its wrapper (program/wrapper/wrapped_original.h), which no process runs any more.
-// Changes each value by itself, and runs it with and without the wrapper's statements on the samples. The values for
-// which the results differ. What the original does not end on with such a value says nothing.
+// Returns the values whose change gives different results with and without the wrapper's statements; changes one value
+// at a time, on the samples. `executable`: the original with its wrapper (program/wrapper/wrapped_original.h), which no
+// process runs any more. Values on which the original does not end are skipped.
 std::vector<LeftState> values_missed_by_wrapper(Front const &front, RunOptions const &run, Recorded const &recorded,
                                                 Graph const &graph, GeneratedCode const &code,
                                                 std::string const &executable, std::vector<Sample> const &samples,

@@ -25,7 +25,7 @@ DiagnosticInfo const &info(DiagnosticId id) {
 }
 
 Severity usual_severity(DiagnosticId id) {
-  return id == DiagnosticId{} ? Severity::error : info(id).severity; // none yet: it is read from somewhere
+  return id == DiagnosticId{} ? Severity::error : info(id).severity; // no id yet: it is read from an archive
 }
 
 bool report_all(std::vector<Diagnostic> const &diagnostics, Report const &report) {

@@ -1,7 +1,7 @@
-// Diagnostics for the user: one table of ids (diagnostics.def), one way to print them.
+// Diagnostics for the user: one table of ids (diagnostics.def) and one printer.
 //
-// Two functions of failure exist and are never mixed: a Diagnostic tells the user what is wrong with the input, where,
-// and what to do; `internal_check` is an assertion for us, which no input can make fail.
+// There are two kinds of failure: a Diagnostic tells the user which input is wrong, where, and how to mend it;
+// `internal_check` asserts an invariant of the tool, which no input can violate.
 #pragma once
 
 #include <cstdint>
@@ -25,13 +25,13 @@ enum class Severity { error, warning, remark };
 struct DiagnosticInfo {
   DiagnosticId id;
   std::string_view name;
-  Severity severity; // the usual one
+  Severity severity; // the default
   std::string_view summary;
   std::string_view explanation;
   std::string_view help;
 };
 
-// A place in the user's source. Line 0: the whole file; an empty file: no place is known.
+// A place in the user's source. Line 0: the whole file; an empty file name: unknown.
 struct Place {
   std::string file;
   unsigned line = 0;
@@ -56,22 +56,22 @@ struct Diagnostic {
   Severity severity = usual_severity(id);
 };
 
-// Of a section or an index of a pragma's item: `object` is what it takes elements of, `count` how many it has. The
-// rewriter and the recorded program say it in the same words.
+// Message for a section or index beyond the `count` elements of `object`. The rewriter and the recorded program share
+// its wording.
 std::string beyond_message(std::string const &item, std::string const &object, std::int64_t count);
 
-// Who tells the user what is no error.
+// Receiver of reported diagnostics.
 using Report = std::function<void(Diagnostic const &)>;
 
-// True when no error is among them.
+// Reports all diagnostics; true if none of them is an error.
 bool report_all(std::vector<Diagnostic> const &diagnostics, Report const &report);
 
-// The row with this code ("SYM012"), or null.
+// Row of the table for a code ("SYM012"), or null.
 DiagnosticInfo const *find_diagnostic(std::string_view code);
-// "SYM012"
+// The code, such as "SYM012".
 std::string code(DiagnosticId id);
 
-// file:line:col: error: text [SYM012], then a line per note, then the help.
+// Prints file:line:col: error: text [SYM012], then a line per note, then the help.
 void print(std::ostream &out, Diagnostic const &diagnostic);
 
 class DiagnosticError : public std::runtime_error {
@@ -89,5 +89,5 @@ private:
 
 } // namespace symreal
 
-// An invariant of ours. Active in every build: it costs little where it stands, and a wrong proof costs more.
+// Asserts an internal invariant. Active in every build: it is cheap where it is used, and a wrong proof is expensive.
 #define internal_check(condition) ((condition) ? void() : ::symreal::internal_failure(#condition, __FILE__, __LINE__))

@@ -7,7 +7,7 @@ namespace {
 
 constexpr std::size_t longest = 300;
 
-// White space as wide as the text is shown: a tab stays one, and UTF-8 has one column a character.
+// White space as wide as the text on screen: tabs stay, and a UTF-8 character has one column.
 std::string blanks(std::string const &text) {
   std::string result;
   for (char c : text)
@@ -18,7 +18,7 @@ std::string blanks(std::string const &text) {
   return result;
 }
 
-// A terminal is not told anything by a source.
+// Masks control characters, which the terminal would interpret.
 std::string printable(std::string text) {
   for (char &c : text)
     if ((static_cast<unsigned char>(c) < ' ' && c != '\t') || c == '\x7F') c = '?';

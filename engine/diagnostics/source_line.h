@@ -1,4 +1,4 @@
-// The line of a source that a message is about, with a mark below the column.
+// Source line of a message, with a mark below the column.
 #pragma once
 
 #include "engine/diagnostics/diagnostic.h"
@@ -9,7 +9,7 @@ namespace symreal {
 
 //    12 |   return (int)x;
 //       |               ^
-// Nothing where the file cannot be read, has no such line or that is too long to show.
+// Empty if the file is unreadable, lacks the line, or the line is too long to show.
 std::string marked_line(Place const &place);
 
 } // namespace symreal

@@ -12,7 +12,7 @@ static std::vector<EmittedFile> print(Schedule const &plan, Language const &lang
                                       Rerolled const *loops, Laned const *lanes) {
   Emission emission{plan, language, options, loops, lanes};
   std::vector<EmittedFile> files;
-  files.push_back(print_source(emission)); // not by a list, which would copy the text
+  files.push_back(print_source(emission)); // an initializer list would copy the text
   for (Companion const &companion : language.files.companions)
     if (companion.option.empty() || options.extras.contains(companion.option))
       files.push_back({options.base_name + std::string(companion.suffix), companion.text(emission)});

@@ -1,5 +1,5 @@
-// Reads what cereal's binary archive has written, but never makes room for more than the file can have: a file that was
-// cut short or changed says of some list that it is longer than the memory.
+// Bounded reader of cereal's binary archives: never allocates more than the rest of the file can fill, since a
+// truncated or corrupted file may claim any list length.
 #pragma once
 
 #include <cereal/archives/binary.hpp>
@@ -14,7 +14,7 @@ namespace symreal {
 
 class BoundedInput : public cereal::InputArchive<BoundedInput, cereal::AllowEmptyClassElision> {
 public:
-  // `size`: how many bytes are to come.
+  // `size`: remaining bytes of the stream.
   BoundedInput(std::istream &stream, std::uint64_t size) : InputArchive(this), stream_(stream), left_(size) {}
 
   void read(void *data, std::size_t size) {
@@ -24,7 +24,7 @@ public:
       throw cereal::Exception("it ends early");
     left_ -= size;
   }
-  // So many elements, of a byte at least each.
+  // Throws unless `count` elements of at least a byte each can follow.
   void require(std::uint64_t count) const {
     if (count > left_) throw cereal::Exception("a list is longer than the file");
   }

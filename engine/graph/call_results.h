@@ -1,4 +1,4 @@
-// What functions give for the arguments of calls in a graph, each asked once.
+// Results of the calls in a graph, each call evaluated once.
 #pragma once
 
 #include "engine/graph/evaluate.h"
@@ -12,10 +12,10 @@ namespace symreal {
 
 class CallResults {
 public:
-  // Both outlive this. `call` may be empty where all functions are of complex numbers.
+  // `graph` and `call` must outlive this object. `call` may be empty if the graph calls complex functions only.
   CallResults(Graph const &graph, CallExternal const &call) : graph_(graph), call_(call) {}
 
-  // Of the function with this number, for the arguments of the node `call`: `value_of(node)` is the value of each.
+  // Results of function number `function` for the arguments of node `call`, whose values `value_of(node)` gives.
   template <class ValueOf> std::vector<double> &of(NodeId call, std::size_t function, ValueOf const &value_of) {
     auto const [found, is_new] = results_.try_emplace({call, function});
     if (is_new) found->second = results(call, function, value_of);

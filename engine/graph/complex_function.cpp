@@ -11,7 +11,7 @@ namespace {
 
 using Complex = __complex__ double;
 
-// As the C library declares them; <complex.h> of C++ has others.
+// Declarations as in C's <complex.h>, which that of C++ replaces.
 namespace c_library {
 #define SYMREAL_FORM_infix(arity, c)
 #define SYMREAL_FORM_call(arity, c) SYMREAL_CALL_##arity(c)

@@ -1,5 +1,5 @@
-// The functions of complex numbers (include/symreal/complex_functions.def) as external functions of a graph. They take
-// the parts of their operands one by one and write those of their result, and everybody can call them.
+// Functions of complex numbers (include/symreal/complex_functions.def) as external functions of a graph. Arguments and
+// results are lists of real and imaginary parts; every evaluator can call them.
 #pragma once
 
 #include "engine/graph/external.h"
@@ -25,7 +25,7 @@ ComplexFunctionInfo const &info(ComplexFunction function);
 External external_of(ComplexFunction function);
 std::optional<ComplexFunction> find_complex_function(External const &external);
 
-// The reference semantics: the C library's function, the compiler's operator.
+// Reference semantics: the C library's functions and the compiler's operators.
 void evaluate(ComplexFunction function, std::span<double const> arguments, std::span<double> results);
 
 } // namespace symreal

@@ -16,7 +16,7 @@ namespace symreal {
 
 namespace {
 
-// The values of opaque nodes, made in the order of the nodes.
+// Values of opaque nodes, computed in node order.
 class OpaqueValues {
 public:
   OpaqueValues(Graph const &graph, CallExternal const &call) : graph_(graph), results_(graph, call) {}
@@ -90,7 +90,7 @@ std::size_t first_failing_guard(Graph const &graph, std::span<double const> valu
   return graph.guards.size();
 }
 
-// Of a node's operands, those that its value is computed from.
+// Operands of a node that its value is computed from.
 static std::array<NodeId, 3> active_operands(Node const &node, std::span<double const> values) {
   std::array<NodeId, 3> operand = node.operand;
   bool const holds = values[operand[0]] != 0;
@@ -114,14 +114,14 @@ std::vector<char> active_nodes(Graph const &graph, std::span<double const> value
   return active;
 }
 
-// An index, or what is converted to an integer type.
+// Whether a truncated index, or a conversion to integer, is in range.
 static bool is_within(double value, double low, double end) { return value > low - 1 && value < end; }
 
 static bool is_defined(Graph const &graph, Node const &node, std::span<double const> values) {
   auto operand = [&](std::size_t i) { return values[node.operand[i]]; };
   constexpr double two_to_31 = 0x1p31, two_to_53 = 0x1p53, two_to_63 = 0x1p63;
   switch (node.op) {
-  // C leaves open which sign a NaN has that an operation makes; the sign of a constant is the program's.
+  // C leaves the sign of a computed NaN open; that of a constant NaN is the program's own.
   case Op::copysign: return graph.nodes[node.operand[1]].is_constant() || !std::isnan(operand(1));
   case Op::int32:
   case Op::within_int32: return is_within(operand(0), -two_to_31, two_to_31);
@@ -147,7 +147,7 @@ static bool is_defined(Graph const &graph, Node const &node, std::span<double co
   }
 }
 
-// Whether a zero reaches something that sees its sign. Of a constant the sign is the program's own and stays.
+// Whether a zero reaches an operation that sees its sign, except a constant, whose sign is the program's own.
 static bool sees_zero_sign(Graph const &graph, Node const &node, std::span<double const> values) {
   auto is_zero = [&](NodeId id) { return id != no_node && !graph.nodes[id].is_constant() && values[id] == 0; };
   if (node.op == Op::call) {
@@ -159,7 +159,7 @@ static bool sees_zero_sign(Graph const &graph, Node const &node, std::span<doubl
   return info(node.op).has(flag::ZERO_SIGN) && std::any_of(node.operand.begin(), node.operand.end(), is_zero);
 }
 
-// Infinities that are constants of the program, and what hands them on.
+// Infinite constants of the program, and nodes that pass them on.
 static std::vector<char> own_infinities(Graph const &graph, std::span<double const> values) {
   std::vector<char> is_own(graph.nodes.size(), 0);
   for (std::size_t id = 0; id < graph.nodes.size(); ++id) {
@@ -173,7 +173,7 @@ static std::vector<char> own_infinities(Graph const &graph, std::span<double con
   return is_own;
 }
 
-// P1 at one node: what it computes is finite, and what it computes with.
+// Premise P1 at one node: its result and operands are finite.
 static bool is_finite(Graph const &graph, std::size_t id, std::span<double const> values,
                       std::vector<char> const &own_infinities) {
   Node const &node = graph.nodes[id];

@@ -1,5 +1,5 @@
-// The reference semantics in numbers that are wider than doubles. Each file that includes this has its own, and may
-// define SYMREAL_MATH just before it, as the functions of its numbers.
+// Reference semantics over number types wider than double. Each including file gets its own copy, and may define
+// SYMREAL_MATH beforehand as the math functions of its type.
 #pragma once
 
 #include "engine/graph/evaluate.h"
@@ -13,11 +13,11 @@
 namespace symreal {
 namespace {
 
-// What an operation has to do with real numbers.
+// Relation of an operation to real arithmetic.
 enum class Reality : std::uint8_t {
-  formula, // a function of them
-  jump,    // one that is constant but for its jumps
-  none,    // it depends on how numbers are stored, or on what is no number
+  formula, // a function of real numbers
+  jump,    // a piecewise constant function
+  none,    // depends on the representation of numbers, or on non-numbers
 };
 
 Reality reality_of(Op op) {
@@ -40,14 +40,14 @@ Reality reality_of(Op op) {
 
 [[maybe_unused]] int opaque() { return 0; }
 
-// A conversion to an integer cuts off, and must not see a number that was rounded up to one.
+// A conversion to integer truncates, so it must not see a number rounded up to an integer.
 template <class Number> double cut_off(Number const &x) {
   double const nearest = static_cast<double>(x);
   bool const is_beyond = nearest > 0 ? x < nearest : x > nearest;
   return is_beyond ? std::nextafter(nearest, 0.0) : nearest;
 }
 
-// What the table computes with integers in doubles is computed so.
+// Evaluates in `Number`, except for integer operations of the table, which stay in double.
 template <class Number> Number evaluate_in(Op op, Number const &x, Number const &y, Number const &z) {
   using namespace flag;
   (void)z;
@@ -67,7 +67,7 @@ template <class Number> Number evaluate_in(Op op, Number const &x, Number const 
   return static_cast<Number>(evaluate(op, cut_off(x), cut_off(y), cut_off(z)));
 }
 
-// Where an operation jumps, it has made a choice; two that are equal lie between the same jumps.
+// Choice of an operation with jumps; equal choices lie between the same jumps.
 template <class Number> Number choice_of(Op op, Number const &x, Number const &y, Number const &result) {
   using std::signbit, std::trunc, std::rint;
   switch (op) {
@@ -78,9 +78,9 @@ template <class Number> Number choice_of(Op op, Number const &x, Number const &y
   }
 }
 
-// One number per node that is `active` where `values` are those in double precision. `leaf` gives those of inputs,
-// parameters and what the graph calls; `moved` may change each result. Nothing where a node makes another choice than
-// there and `otherwise` does not take it.
+// One number per `active` node; `values`: those in double precision. `leaf` gives the numbers of inputs, parameters and
+// calls; `moved` may change each result. Nullopt if a node makes a choice other than in double precision and
+// `otherwise` rejects it.
 template <class Number, class Leaf, class Moved, class Otherwise>
 std::optional<std::vector<Number>> evaluate_nodes(Graph const &graph, std::span<double const> values,
                                                   std::span<char const> active, Leaf const &leaf, Moved const &moved,
@@ -111,7 +111,7 @@ std::optional<std::vector<Number>> evaluate_nodes(Graph const &graph, std::span<
   return wide;
 }
 
-// The same where no node may make another choice.
+// Likewise, with every other choice rejected.
 template <class Number, class Leaf, class Moved> std::optional<std::vector<Number>>
 evaluate_nodes(Graph const &graph, std::span<double const> values, Leaf const &leaf, Moved const &moved) {
   return evaluate_nodes<Number>(graph, values, active_nodes(graph, values), leaf, moved, [](NodeId) { return false; });

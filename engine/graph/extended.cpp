@@ -8,8 +8,8 @@ namespace symreal {
 
 namespace {
 
-// By a unit in the last place or two: the first time up; then up or down at random, but always the same of a node. At
-// random alone two nodes in a row may cancel each time.
+// Perturbs by one or two units in the last place: for perturbation 1 upwards, else up or down by a fixed hash of the
+// node. Random directions alone may cancel between successive nodes every time.
 long double moved(long double number, std::size_t id, std::uint64_t perturbation,
                   long double unit = std::numeric_limits<long double>::epsilon()) {
   std::uint64_t mixed = (4 * id + perturbation) * 0x9e3779b97f4a7c15;
@@ -19,7 +19,7 @@ long double moved(long double number, std::size_t id, std::uint64_t perturbation
 
 bool is_of_call(Op op) { return op == Op::argument || op == Op::call || op == Op::returned; }
 
-// What calls give, that take and give doubles. A perturbation moves both by a unit of a double.
+// Results of calls, which take and return doubles. A perturbation moves arguments and results by a unit of a double.
 class ExtendedCalls {
 public:
   ExtendedCalls(Graph const &graph, CallExternal const &call, std::uint64_t perturbation)
@@ -39,7 +39,7 @@ public:
   }
 
 private:
-  // It may be one: a constant, or what has been converted.
+  // Whether the argument may be an integer: a constant, or the result of a conversion.
   bool is_integer(NodeId argument) const {
     Node const &node = graph_.nodes[argument];
     return node.is_constant() || (!is_leaf(node.op) && reality_of(node.op) == Reality::jump);
@@ -124,7 +124,7 @@ std::vector<long double> ExtendedNeighbourhood::at(std::span<long double const> 
   return result;
 }
 
-// To all that depends on one that has made another choice, but by the arm of a select that was not taken.
+// Propagates differing choices to all dependent nodes, except through the arm that a select did not take.
 void ExtendedNeighbourhood::spread(std::vector<char> &otherwise) const {
   for (std::size_t id = 0; id < otherwise.size(); ++id) {
     Node const &node = graph_.nodes[id];

@@ -1,4 +1,4 @@
-// What opaque operations refer to by number: tables of constants, and functions of libraries that are not recorded.
+// Tables of constants and external functions, which opaque operations refer to by number.
 #pragma once
 
 #include "engine/diagnostics/diagnostic.h"
@@ -11,8 +11,8 @@
 
 namespace symreal {
 
-// The constants that `lookup` and `lookup2` read, row by row. Each index is truncated and moved into its extent, so
-// nothing outside is ever read.
+// Constants that `lookup` and `lookup2` read, row by row. Each index is truncated and clamped to its extent, so every
+// access is in bounds.
 struct Table {
   std::string name;
   std::vector<std::size_t> extents; // one or two
@@ -20,13 +20,13 @@ struct Table {
   Place place = {};
 };
 
-// One parameter of an external function, or what it returns. Objects of doubles count theirs, whatever arrays and
-// structs they form.
+// One parameter of an external function, or its return value. `count`: number of doubles in an object, flattened over
+// its arrays and structs.
 struct ExternalValue {
   enum class Kind {
-    none,    // returned only: nothing
+    none,    // return value only: void
     number,  // a double
-    integer, // `type` is its name in C
+    integer, // `type` is its C type
     input,   // behind a pointer, read
     output,  // behind a pointer, written
     updated, // behind a pointer, read and written
@@ -41,9 +41,9 @@ struct ExternalValue {
   bool is_pointer() const { return kind == Kind::input || kind == Kind::output || kind == Kind::updated; }
 };
 
-// Another function of the program, which gives the partial derivatives of one: it takes what that takes, without what
-// that only writes, and returns the one partial derivative that there is, or writes all into an array, its last
-// parameter: one result of that function behind the other, by each number that it takes.
+// Another function of the program, which gives the partial derivatives of one. It takes the parameters of that
+// function, except for output parameters, and returns the only partial derivative, or writes all into an array, its
+// last parameter: for each numeric argument in turn, all results.
 struct DerivativeFunction {
   std::string name;
   bool is_returned = false;
@@ -51,24 +51,24 @@ struct DerivativeFunction {
   bool operator==(DerivativeFunction const &) const = default;
 };
 
-// A function with C linkage. A call takes a flat list of arguments, the numbers of each parameter that is given in
-// order, and has a flat list of results: what is returned, then what is written, in order.
+// A function with C linkage. A call takes a flat list of arguments, the numbers of each parameter except outputs in
+// order, and has a flat list of results: the return value, then the written numbers, in order.
 struct External {
   std::string name;
-  bool pure = false; // equal arguments give equal results, and nothing else happens
+  bool pure = false; // deterministic and without side effects
   ExternalValue returned;
   std::vector<ExternalValue> parameters;
   Place place = {};
-  std::vector<DerivativeFunction> derivatives = {}; // its first, the first of that, ...
+  std::vector<DerivativeFunction> derivatives = {}; // the first derivative, its derivative, ...
 
   std::size_t argument_count() const;
   std::size_t returned_count() const { return returned.kind == ExternalValue::Kind::none ? 0 : returned.count; }
   std::size_t result_count() const;
-  // Whether this one of the flat list of arguments is a parameter of integer type.
+  // Whether this argument of the flat list is a parameter of integer type.
   bool takes_integer(std::size_t argument) const;
-  // Of the flat list of arguments, those that it can have derivatives by.
+  // Arguments of the flat list that are numbers, and thus differentiable.
   std::vector<std::size_t> number_arguments() const;
-  // The first of its derivatives, which has the others.
+  // The first derivative function, with the higher ones as its derivatives; nullopt if it is unknown.
   std::optional<External> derivative() const;
 };
 

@@ -1,4 +1,4 @@
-// What is told of state that is baked in.
+// Messages about frozen state, whose values are baked into the program.
 #pragma once
 
 #include "engine/graph/graph.h"
@@ -8,10 +8,10 @@
 
 namespace symreal {
 
-// The first few of them, and how many there are.
+// The first few values, and their number.
 std::string value_list(std::vector<double> const &values);
 
-// What --frozen makes of it: nothing where it is only listed.
+// Severity of a frozen state under a --frozen policy; nullopt if it is only listed.
 std::optional<Severity> frozen_severity(Frozen const &state, std::string const &policy);
 
 std::string frozen_message(std::string const &kernel, Frozen const &state);

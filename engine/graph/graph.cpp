@@ -4,7 +4,7 @@
 
 namespace symreal {
 
-// Here, since code that is compiled without optimisation copies and destroys graphs too.
+// Out of line, since code compiled without optimisation copies and destroys graphs too.
 Graph::Graph() = default;
 Graph::Graph(Graph const &) = default;
 Graph::Graph(Graph &&) noexcept = default;
@@ -55,7 +55,7 @@ Graph without_nodes(Graph const &graph) {
   return rest;
 }
 
-// A column whose node `id` has become `now[id]`; the oldest of several that became one gives its entry.
+// A per-node column after node `id` became `now[id]`; of several nodes that became one, the oldest gives the entry.
 template <class Column> static Column moved(Column const &column, std::vector<NodeId> const &now, std::size_t size,
                                             typename Column::value_type none) {
   Column result(size, none);
@@ -64,7 +64,7 @@ template <class Column> static Column moved(Column const &column, std::vector<No
   return result;
 }
 
-// A node that a pass made on the way to another has that one's location.
+// Gives auxiliary nodes of a pass the location of the node that they were made for.
 static void locate_others(Graph &graph) {
   LongArray<LocationId> &locations = graph.node_location;
   for (std::size_t id = locations.size(); id-- > 1;)
@@ -82,7 +82,7 @@ void carry_over(Graph const &graph, std::vector<NodeId> const &now, Graph &resul
   }
   if (!graph.node_name.empty()) result.node_name = moved(graph.node_name, now, result.nodes.size(), no_name);
   if (!graph.node_exact.empty()) {
-    std::vector<char> const made = std::move(result.node_exact); // by a pass, of what it put in place of others
+    std::vector<char> const made = std::move(result.node_exact); // set by the pass for nodes that replace others
     result.node_exact = moved(graph.node_exact, now, result.nodes.size(), char{0});
     for (std::size_t id = 0; id < made.size(); ++id) result.node_exact[id] |= made[id];
   }
@@ -139,7 +139,7 @@ void keep_nodes(Graph &graph, std::vector<char> const &kept) {
 std::vector<char> live_nodes(Graph const &graph) {
   std::vector<char> live(graph.nodes.size(), 0);
   for_each_root(graph, [&](NodeId root) { live[root] = 1; });
-  // Operands are older than users, so one sweep from the newest node down meets every user before its operands.
+  // Operands precede users, so one backward sweep meets every user before its operands.
   for (std::size_t id = graph.nodes.size(); id-- > 0;) {
     Node const &node = graph.nodes[id];
     if (!live[id] || is_leaf(node.op)) continue;

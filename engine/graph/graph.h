@@ -1,4 +1,4 @@
-// The straight-line program: what the runtime records, passes rewrite, and emitters print.
+// Graph: the straight-line program that the runtime records, passes rewrite, and emitters print.
 #pragma once
 
 #include "engine/diagnostics/diagnostic.h"
@@ -16,65 +16,65 @@ struct Range {
   double low, high;
 };
 
-// Of a structure: numbers, or structures again, `extents` many.
+// Member of a structure: an array of numbers, or of structures, with these extents.
 struct Member {
   std::string name;
   std::vector<std::size_t> extents = {};
-  std::vector<Member> members = {}; // none: numbers
+  std::vector<Member> members = {}; // empty: numbers
   bool operator==(Member const &) const = default;
 };
 
-// How many numbers there are in an array of this, or of these members one after the other; the largest std::size_t if
-// more.
+// Number of doubles in an array with these extents, whose elements are numbers or structures with these members; the
+// largest std::size_t on overflow.
 std::size_t number_count(std::vector<std::size_t> const &extents, std::vector<Member> const &members);
 
-// An annotated object: `label` is the text of its annotation, its numbers occupy slots first .. first+count-1 of the
-// array of its role. `extents` is empty where it is no array.
+// An annotated object: `label` is the text of its annotation, its numbers are slots first .. first+count-1 of the array
+// of its role. `extents` is empty for a scalar.
 struct Object {
   std::string label;
   std::vector<std::size_t> extents;
   std::uint32_t first = 0;
   std::uint32_t count = 1;
   Place place = {};
-  std::optional<Range> range = {};  // inputs: where verification samples
+  std::optional<Range> range = {};  // inputs: sampling range of verification
   std::vector<Member> members = {}; // of each element, if these are structures
 };
 
-// A derivative that is asked for, as in jacobian(tau, [q, qd]): differentiate/request.h reads it.
+// A requested derivative, as in jacobian(tau, [q, qd]); parsed by differentiate/request.h.
 struct DerivativeWish {
   std::string text;
-  Place place; // nowhere, if an option asks for it
+  Place place; // empty, if an option requests it
 };
 
-// An output that is a matrix of derivatives: which element each pair of a row and a column is. Row by row.
+// A matrix of derivatives among the outputs, with the row and column of its elements. Stored by rows.
 struct DerivativeMatrix {
-  std::uint32_t output = 0; // its number
+  std::uint32_t output = 0; // index of the output
   std::uint32_t rows = 0, columns = 0;
-  // Packed: the output holds these elements alone, in this order. Otherwise it holds all of them, and these are the
-  // ones that are not zero by structure.
+  // Packed: the output has exactly these elements, in this order. Otherwise it has all elements, and these are the
+  // structural nonzeros.
   bool is_packed = false;
-  bool is_symmetric = false; // nothing above the diagonal is packed: it is what stands below
+  bool is_symmetric = false; // only the half up to the diagonal is packed
   std::vector<std::uint32_t> row = {}, column = {};
 };
 
-// An input and the output that is its derivative by time, by their labels or the names in these; states.h finds them.
+// An input and the output that is its time derivative, by label or by the name in it; resolved by states.h.
 struct StatePair {
   std::string state, derivative;
   Place place = {};
 };
 
-// State that was read while recording and is neither input nor parameter: its value is baked into the program.
+// State that was read while recording, besides inputs and parameters: its value is baked into the program.
 struct Frozen {
   std::string name;
   Place place;
   std::vector<double> values;
-  bool is_around = false;                 // a local of the function around a block kernel
-  bool is_member = false;                 // integers of a structure that is annotated
-  std::vector<std::uintptr_t> stack = {}; // return addresses of the first read, which the text does not keep
+  bool is_around = false;                 // a local variable of the function around a block kernel
+  bool is_member = false;                 // integers of an annotated structure
+  std::vector<std::uintptr_t> stack = {}; // return addresses of the first read; not part of the text form
 };
 
-// Where in the program a node or a decision comes from. While a program runs only return addresses are known, innermost
-// first; the driver turns them into places: the user's own, then those further in (Eigen, std) and the inline frames.
+// Source location of a node or a decision. At run time it consists of return addresses, innermost first; the driver
+// resolves them to places: the user's own, then those further in (Eigen, std) and the inline frames.
 struct Location {
   std::vector<Place> places;
   std::vector<std::uint64_t> addresses; // relative to the executable's load base; empty once resolved
@@ -85,11 +85,11 @@ inline constexpr LocationId no_location = ~LocationId{0};
 using NameId = std::uint32_t;
 inline constexpr NameId no_name = ~NameId{0};
 
-// What the recorded path rests on: the program decided as it did because `condition` is not 0.
+// Guard of the recorded path: the path is valid while `condition` is nonzero.
 struct Guard {
   NodeId condition;
   LocationId location = no_location;
-  std::string text; // the condition in words
+  std::string text; // the condition as text
 };
 
 struct Graph {
@@ -103,29 +103,29 @@ struct Graph {
   std::string kernel;
   std::vector<Object> inputs, parameters, outputs;
   std::vector<StatePair> states;
-  std::vector<DerivativeWish> wishes;     // derivatives that the program asks for
-  std::vector<std::string> derivatives;   // those that were added, as they were asked for
+  std::vector<DerivativeWish> wishes;     // derivatives that the program requests
+  std::vector<std::string> derivatives;   // derivatives that were added, as they were requested
   bool derivatives_alone = false;         // the outputs are derivatives only: --separate
-  std::vector<DerivativeMatrix> matrices; // of them, in the order of their outputs
+  std::vector<DerivativeMatrix> matrices; // of the derivatives, in output order
 
   Nodes nodes;                     // topological order
   std::vector<NodeId> results;     // per output slot
-  std::vector<NodeId> precomputed; // what `preprocess` stores: slot k of `constants` holds the value of precomputed[k]
+  std::vector<NodeId> precomputed; // stored by preprocess: slot k of `constants` holds precomputed[k]
   std::vector<Guard> guards;       // in the order of recording: compute returns k + 1 for the first, k, that fails
   std::string decisions = "error"; // the policy while recording, as --decisions spells it
   bool from_instructions = false;  // recorded from the instructions of the original: --via-ir
-  std::vector<Table> tables;       // what lookups read, by number
-  std::vector<External> externals; // what calls call, by number
-  NodeId last_effect = no_node;    // of the calls in order, each of which names the one before it
+  std::vector<Table> tables;       // of lookups, by number
+  std::vector<External> externals; // of calls, by number
+  NodeId last_effect = no_node;    // last of the ordered calls, each of which names its predecessor
   std::vector<Location> locations;
-  LongArray<LocationId> node_location; // per node, or empty: places were not asked for
-  std::vector<std::string> names;      // what the source calls its numbers
+  LongArray<LocationId> node_location; // per node; empty if locations are not recorded
+  std::vector<std::string> names;      // names of values in the source
   LongArray<NameId> node_name;         // per node, or empty
-  std::vector<char> node_exact;        // per node, or empty: 1 where even mode fast keeps it as it is written
-  std::vector<double> input_values;    // per input slot: the value it had while recording
+  std::vector<char> node_exact;        // per node, or empty: 1 if even mode fast keeps it as written
+  std::vector<double> input_values;    // per input slot: its value while recording
   std::vector<double> parameter_values;
   std::vector<Frozen> frozen;
-  OperationCounts executed; // by the program while it was recorded, repetitions and work on constants included
+  OperationCounts executed; // operation counts of the recorded run, including repetitions and constant operations
 
   std::size_t input_count() const { return slots(inputs); }
   std::size_t parameter_count() const { return slots(parameters); }
@@ -137,22 +137,22 @@ private:
   }
 };
 
-// The user's own place, not one of a library further in; nowhere, where none is known.
+// The user's own place rather than one in a library further in; an empty place if unknown.
 Place place_at(Graph const &graph, LocationId location);
 Place place_of(Graph const &graph, NodeId node);
 
-// Everything but nodes and what names them: what a pass carries over unchanged.
+// Everything but the nodes and the references to them, which a pass keeps unchanged.
 Graph without_nodes(Graph const &graph);
 
-// Takes over what names the nodes of `graph`, where node `id` has become `now[id]` of `result`, or no_node: results,
-// precomputed, guards, effects, locations, names, and what is exact. A node that a pass made on the way to another has
-// that one's location.
+// Carries over all references to nodes, where node `id` of `graph` is now `now[id]` of `result`, or no_node: results,
+// precomputed, guards, effects, locations, names, and exactness. An auxiliary node of a pass gets the location of the
+// node that it was made for.
 void carry_over(Graph const &graph, std::vector<NodeId> const &now, Graph &result);
 
-// Drops the nodes that are not kept, in place. What a kept node or a root needs must be kept.
+// Removes the other nodes, in place. Operands of kept nodes, and roots, must be kept.
 void keep_nodes(Graph &graph, std::vector<char> const &kept);
 
-// Calls `visit` with every node that a function of the program must compute: results, precomputed, guards, effects.
+// Calls `visit` with every root, a node that a function must compute: results, precomputed, guards, effects.
 template <class Visit> void for_each_root(Graph const &graph, Visit const &visit) {
   for (NodeId root : graph.results) visit(root);
   for (NodeId root : graph.precomputed) visit(root);
@@ -160,11 +160,11 @@ template <class Visit> void for_each_root(Graph const &graph, Visit const &visit
   if (graph.last_effect != no_node) visit(graph.last_effect);
 }
 
-// Which nodes some root needs. Iterative, linear.
+// Per node: whether a root needs it. Iterative; linear time.
 std::vector<char> live_nodes(Graph const &graph);
 
-// Which operations function `compute` does on what `preprocess` has stored alone: they depend on no input, and cost
-// less than a load. None as long as the graph is not split.
+// Per node: whether compute recomputes it from values that preprocess stored, independent of inputs, since that costs
+// less than a load. All false until the graph is split.
 std::vector<char> recomputed_nodes(Graph const &graph);
 
 } // namespace symreal

@@ -16,7 +16,7 @@
 
 namespace symreal {
 
-// The members of each structure, for reading and for writing. Nodes are copied as they are.
+// Members of each structure, for reading and writing. Nodes are copied bytewise.
 template <class Archive> void serialize(Archive &file, Place &x) { file(x.file, x.line, x.column); }
 template <class Archive> void serialize(Archive &file, Range &x) { file(x.low, x.high); }
 template <class Archive> void serialize(Archive &file, Member &x) { file(x.name, x.extents, x.members); }
@@ -66,7 +66,7 @@ void write_binary_graph(std::string const &path, Graph const &graph) {
     file.close();
   } catch (std::bad_alloc const &) {
     throw;
-  } catch (std::exception const &) { // of the stream or of the archive
+  } catch (std::exception const &) { // from the stream or the archive
     fail(DiagnosticId::unwritable_output, {path}, "cannot write '" + path + "': " + std::strerror(errno));
   }
 }

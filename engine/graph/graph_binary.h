@@ -1,5 +1,5 @@
-// The binary form of a graph: how a program that records or replays and the tool hand one over. It is for one version
-// of Symreal on one machine; everybody else reads the text form (graph_text.h).
+// Binary form of a graph: the exchange format between a recording or replaying program and the tool. It is valid for
+// one version of Symreal on one machine; other uses need the text form (graph_text.h).
 #pragma once
 
 #include "engine/graph/graph.h"
@@ -11,8 +11,8 @@ namespace symreal {
 // Throws unwritable_output.
 void write_binary_graph(std::string const &path, Graph const &graph);
 
-// Reads one graph and validates it. Throws unreadable_file, and graph_syntax where the file is of another version or
-// not whole.
+// Reads one graph and validates it. Throws unreadable_file, or graph_syntax if the version differs or the file is
+// truncated.
 Graph read_binary_graph(std::string const &path);
 
 } // namespace symreal

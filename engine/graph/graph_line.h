@@ -1,4 +1,4 @@
-// One line of a graph's text, for those who read it. Shared by the readers of graph_text.h only.
+// Tokeniser for one line of a graph's text form. Internal to the readers of graph_text.h.
 #pragma once
 
 #include "engine/graph/graph.h"
@@ -15,19 +15,19 @@
 
 namespace symreal {
 
-// The whole text as a number from 0 on that the type has.
+// Parses the whole text as a nonnegative integer; nullopt if it is invalid or out of range.
 template <class Number = std::uint32_t> std::optional<Number> parse_natural(std::string_view text) {
   Number value = 0;
   auto [end, failed] = std::from_chars(text.data(), text.data() + text.size(), value);
   return failed == std::errc() && end == text.data() + text.size() ? std::optional(value) : std::nullopt;
 }
 
-// The words of one line. A quoted string is one word, kept with its opening quote to tell it from a bare one.
+// The words of one line. A quoted string is one word, which keeps its opening quote as a mark.
 class Line {
 public:
-  // A place without a column is that of a line of a file: an error has the column of the word that was read last.
+  // If `place` lacks a column, errors have the column of the last word read.
   Line(std::string_view text, Place place) : place_(std::move(place)) {
-    words_.reserve(8); // those of a node
+    words_.reserve(8); // enough for a node
     for (std::size_t i = 0; i < text.size();) {
       if (text[i] == ';') break;
       if (text[i] == ' ' || text[i] == '\t' || text[i] == '\r') {
@@ -79,14 +79,14 @@ public:
     if (!value) error("'" + text + "' is not a number");
     return *value;
   }
-  // at "file" line column, or nothing.
+  // Parses: at "file" line column; an empty place if absent.
   Place optional_place() {
     if (!accept("at")) return {};
     std::string file = string("the file");
     unsigned number = count("line number");
     return {std::move(file), number, count("column")};
   }
-  // [n] [m] ...
+  // Parses: [n] [m] ...
   std::vector<std::size_t> extents() {
     std::vector<std::size_t> result;
     while (!done() && peek()[0] == '[') {
@@ -100,7 +100,7 @@ public:
   [[noreturn]] void error(std::string const &message) const {
     fail_at(words_.empty() ? 0 : words_[next_ == 0 ? 0 : next_ - 1].column, message);
   }
-  // For the word that has not been read.
+  // Error at the next, unread word.
   [[noreturn]] void unexpected() const {
     fail_at(words_[next_].column, "'" + words_[next_].text + "' is unexpected here");
   }
@@ -122,14 +122,14 @@ private:
   std::size_t next_ = 0;
 };
 
-// The lines `table` and `external` (graph_external_text.cpp). The first word has been read; a line stands behind those
-// of its kind with smaller numbers.
+// Reads the lines `table` and `external` (graph_external_text.cpp), after their first word; lines of one kind have
+// ascending numbers.
 void read_table(Line &line, std::vector<Table> &tables);
 void read_external(Line &line, std::vector<External> &externals);
 void write_tables(std::ostream &out, std::vector<Table> const &tables);
 void write_externals(std::ostream &out, std::vector<External> const &externals);
 
-// What every writer of lines needs.
+// Writes the suffix: at "file" line column.
 void write_place(std::ostream &out, Place const &place);
 
 } // namespace symreal

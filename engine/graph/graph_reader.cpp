@@ -51,7 +51,7 @@ public:
   }
 
 private:
-  static constexpr std::size_t most_slots = std::size_t{1} << 28; // as many as a recording has room for
+  static constexpr std::size_t most_slots = std::size_t{1} << 28; // the capacity of a recording
 
   void read_line(Line &line) {
     std::string head = line.word("a line");
@@ -143,7 +143,7 @@ private:
     for (std::size_t k = 0; k < count; ++k) values->push_back(given ? line.number("a value") : 0);
   }
 
-  // { "name" [n] { ... } ... }, or nothing.
+  // Parses: { "name" [n] { ... } ... }, or nothing.
   static std::vector<Member> read_members(Line &line) {
     std::vector<Member> members;
     if (!line.accept("{")) return members;
@@ -284,9 +284,9 @@ private:
 
   Graph graph_;
   NodeTable table_;
-  std::vector<NodeId> named_; // the node behind %k
+  std::vector<NodeId> named_; // node of each %k
   std::vector<unsigned> line_of_, state_lines_;
-  unsigned number_ = 0; // of the line
+  unsigned number_ = 0; // line number
   std::set<std::string> once_;
   LongArray<LocationId> locations_;
   LongArray<NameId> names_;

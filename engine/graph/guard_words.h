@@ -1,4 +1,4 @@
-// How the text of a guard ends. Before it stands the condition, which the driver knows in the words of the source.
+// Endings of guard texts. A guard text begins with the condition, which the driver replaces by the source's wording.
 #pragma once
 
 #include <algorithm>
@@ -6,12 +6,12 @@
 
 namespace symreal {
 
-inline constexpr std::string_view guard_is_false = " is false"; // the program decided so
-inline constexpr std::string_view guard_gives = " gives ";      // of a conversion, with the integer
-inline constexpr std::string_view guard_where = " where ";      // under which conditions of selects it decided
-inline constexpr std::string_view guard_of_several = "one of several paths comes by"; // under many conditions
+inline constexpr std::string_view guard_is_false = " is false"; // the program took the other branch
+inline constexpr std::string_view guard_gives = " gives ";      // of a conversion, followed by its integer
+inline constexpr std::string_view guard_where = " where "; // followed by the selects' conditions under which it applies
+inline constexpr std::string_view guard_of_several = "one of several paths comes by"; // of a disjunction of many paths
 
-// The offset at which the condition ends.
+// Offset of the end of the condition.
 inline std::size_t end_of_condition(std::string_view guard) {
   return std::min({guard.find(guard_is_false), guard.find(guard_gives), guard.find(guard_where), guard.size()});
 }

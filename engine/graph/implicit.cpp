@@ -6,7 +6,7 @@
 
 namespace symreal {
 
-static constexpr char const *name = "implicit function"; // no C function is called so
+static constexpr char const *name = "implicit function"; // distinct from every C function name
 
 External implicit_function(std::uint32_t count) {
   using Kind = ExternalValue::Kind;

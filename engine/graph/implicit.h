@@ -1,6 +1,6 @@
-// Numbers that a solver has found, and the residual that is 0 there: for their derivatives the equations count, and not
-// what the solver did. In a graph that is a pure function which takes the unknowns and the residual, and gives the
-// unknowns.
+// Implicit functions: the solution of equations by a solver, with the residual that is 0 there. Derivatives follow from
+// the equations (implicit function theorem) instead of the solver's steps. In a graph this is a pure function that
+// takes the unknowns and the residuals and returns the unknowns.
 #pragma once
 
 #include "engine/graph/graph.h"
@@ -11,19 +11,19 @@ namespace symreal {
 
 External implicit_function(std::uint32_t count);
 bool is_implicit(External const &external);
-// Whether what is called so takes as many unknowns as it takes residuals and gives.
+// Whether the function takes as many unknowns as residuals and returns as many.
 bool is_well_formed_implicit(External const &external);
 
-// Of a call of it.
+// Unknowns and residuals of a call of an implicit function.
 struct ImplicitSystem {
   std::vector<NodeId> unknowns, residuals;
 };
 bool is_implicit_call(Graph const &graph, NodeId id);
-// Of what it gives, which is a result of the call.
+// Whether the node is a result of such a call.
 bool is_implicit_solution(Graph const &graph, NodeId id);
 ImplicitSystem system_of(Graph const &graph, NodeId call);
 
-// Each solution is what was found, and nothing more.
+// Replaces each solution by the value that the solver found.
 Graph without_implicit(Graph graph);
 
 } // namespace symreal

@@ -1,12 +1,12 @@
-// Infinities of the program's own: constants that stand for "none yet" or "no limit". Premise P1 of mode finite is
-// about what is computed; such a constant may be compared with, selected, and handed on.
+// Infinite constants of the program, which stand for "none yet" or "no limit". Premise P1 of mode finite covers
+// computed values only; such a constant may be compared, selected, and passed on.
 #pragma once
 
 #include "engine/graph/node.h"
 
 namespace symreal {
 
-// Operations that compute nothing of an operand: the result is one of them, up to its sign.
+// Operations whose result is one of the operands, up to its sign.
 inline bool hands_on(Op op) {
   switch (op) {
   case Op::select:
@@ -19,7 +19,7 @@ inline bool hands_on(Op op) {
   }
 }
 
-// Operations that an infinity may reach: these, comparisons, and the lists of arguments of other functions.
+// Operations that may take an infinity: those above, comparisons, and argument lists of external functions.
 inline bool takes_infinity(Op op) {
   return hands_on(op) || op == Op::argument || (info(op).has(flag::BOOLEAN) && !info(op).has(flag::LOGICAL));
 }

@@ -57,7 +57,7 @@ static bool is_identifier(std::string_view name) {
   return !name.empty() && !std::isdigit(static_cast<unsigned char>(name[0])) && std::ranges::all_of(name, is_part);
 }
 
-// The compilers of C and C++ have such names for themselves.
+// Whether C and C++ reserve the name for the implementation.
 static bool is_reserved(std::string_view name) {
   return name.size() > 1 && name[0] == '_' && (name[1] == '_' || std::isupper(static_cast<unsigned char>(name[1])));
 }
@@ -82,7 +82,7 @@ std::string identifier(std::string const &label, NameRules const &rules) {
   return name;
 }
 
-// Made different from each other.
+// Appends numbers to make the names distinct.
 static std::vector<std::string> numbered(std::vector<std::string> names, NameRules const &rules) {
   std::set<std::string> taken;
   for (std::string &name : names) {
@@ -93,7 +93,7 @@ static std::vector<std::string> numbered(std::vector<std::string> names, NameRul
 }
 
 std::vector<std::string> identifiers(std::vector<Object> const &objects, NameRules const &rules) {
-  // What an interface itself has behind "input_" and "output_".
+  // Interface suffixes of "input_" and "output_".
   static constexpr std::array<std::string_view, 3> own = {"count", "type", "values"};
   std::vector<std::string> names;
   for (Object const &object : objects) {

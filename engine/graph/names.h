@@ -1,4 +1,4 @@
-// Identifiers for annotated objects.
+// Identifiers for annotated objects in the target languages.
 #pragma once
 
 #include "engine/graph/graph.h"
@@ -11,36 +11,36 @@
 
 namespace symreal {
 
-// What a language says of names: the words that are none, in ascending order, and whether Ab and aB are one.
+// Naming rules of a language: its keywords, in ascending order, and its treatment of case.
 struct NameRules {
   std::span<std::string_view const> keywords;
   bool ignores_case = false;
-  bool has_underscores = true; // otherwise q_dot is qDot, and names begin with a small letter
+  bool has_underscores = true; // false: q_dot becomes qDot, and names begin with a small letter
 
   bool is_keyword(std::string_view word) const;
-  // Equal for names that are one.
+  // Comparison key: equal for names that the language does not distinguish.
   std::string key(std::string_view name) const;
-  // The name as the language writes it.
+  // Spelling of the name in the language.
   std::string spelled(std::string_view name) const;
 };
-// The keywords of C99 and of C++: generated headers are for both.
+// Keywords of C99 and C++, which share the generated headers.
 extern NameRules const c_names;
 
-// A label without its array sections, other characters turned into '_', and no keyword: "c[0:3][0]" becomes c, "arm.q"
-// arm_q.
+// A label without array sections, with '_' for other characters, distinct from keywords: "c[0:3][0]" becomes c, "arm.q"
+// becomes arm_q.
 std::string identifier(std::string const &label, NameRules const &rules = c_names);
 
-// One per object, in order, made different from each other.
+// Distinct identifiers, one per object, in order.
 std::vector<std::string> identifiers(std::vector<Object> const &objects, NameRules const &rules = c_names);
 
-// A member keeps its name where the language has it.
+// Distinct identifiers of members; the same as their names if the language permits.
 std::vector<std::string> identifiers(std::vector<Member> const &members, NameRules const &rules = c_names);
 
-// "q[2]", "m[1][0]", "x", "bodies[1].mass": how a person calls one element of an object.
+// Readable name of one element of an object: "q[2]", "m[1][0]", "x", "bodies[1].mass".
 std::string element_name(std::string const &identifier, Object const &object, std::uint32_t element);
-// Of all elements, slot by slot.
+// Names of all elements, by slot.
 std::vector<std::string> element_names(std::vector<Object> const &objects, NameRules const &rules = c_names);
-// That of the slot; nothing where no object has it.
+// Name of the element at a slot; nullopt if the slot is beyond all objects.
 std::optional<std::string> element_name(std::vector<Object> const &objects, std::uint32_t slot);
 
 } // namespace symreal

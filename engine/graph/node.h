@@ -11,22 +11,22 @@
 
 namespace symreal {
 
-// Index of a node in its graph. Ids are topological: operands are older than their users.
+// Index of a node in its graph. Order is topological: operands precede their users.
 using NodeId = std::uint32_t;
 inline constexpr NodeId no_node = ~NodeId{0};
 
-// An expression of constants is constant, of constants and parameters parametric, with any input variable.
+// Dependence of a node: on constants only, on parameters, or on an input variable.
 // The order matters: the attribute of a node is the maximum over its operands.
 enum class Attribute : std::uint8_t { constant, parametric, variable };
 
-// 16 bytes. A constant keeps the bits of its double in two operand fields, an input or parameter its slot in one, so
-// that every kind of node is compared and hashed as the same four words.
+// A node in 16 bytes. A constant keeps the bits of its double in two operand fields, an input or parameter its slot in
+// one, so that every kind of node is compared and hashed as the same four words.
 struct Node {
   Op op;
   Attribute attribute;
   std::array<NodeId, 3> operand;
 
-  // As words: the array's own comparison is a call of memcmp.
+  // Comparison by words; std::array's own is a call of memcmp.
   bool operator==(Node const &other) const {
     return op == other.op && operand[0] == other.operand[0] && operand[1] == other.operand[1] &&
            operand[2] == other.operand[2] && attribute == other.attribute;
@@ -46,8 +46,8 @@ struct Node {
 static_assert(sizeof(Node) == 16);
 using Nodes = LongArray<Node>;
 
-// The attribute of an operation whose operands have at most this one. What stands behind an opaque operation is not
-// known here, so it is no constant; what has an effect runs whenever the program does.
+// Attribute of an operation whose operands have at most this one. Opaque operations are at least parametric, since
+// their results are unknown here; operations with effects are variable, since they run whenever the program does.
 inline Attribute attribute_of(Op op, Attribute operands) {
   if (info(op).has(flag::EFFECT)) return Attribute::variable;
   return info(op).has(flag::OPAQUE) ? std::max(operands, Attribute::parametric) : operands;

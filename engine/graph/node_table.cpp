@@ -45,9 +45,9 @@ void NodeTable::reserve(std::size_t count) {
 }
 
 Nodes NodeTable::release() {
-  bool const uses_little = nodes_.size() < nodes_.capacity() / 16; // of what was reserved: that stays
+  bool const uses_little = nodes_.size() < nodes_.capacity() / 16; // of the reserved memory, which then stays
   Nodes nodes = uses_little ? nodes_ : std::move(nodes_);
-  if (!uses_little) *this = {}; // the links are as long
+  if (!uses_little) *this = {}; // the links are equally long
   clear();
   return nodes;
 }

@@ -1,9 +1,9 @@
-// The nodes of a graph under construction, hash consed: no computation exists twice.
+// Table of nodes under construction, hash-consed: equal nodes exist once.
 //
 // Method: a node is looked up in the list of users of its newest operand. In a recorded program that list is short and
-// recent, hence in cache; measured against open addressing this is two to five times faster and needs no rehashing. An
-// operand with many users (a hub) would make the list long, so after `longest_list` steps the remaining users of that
-// operand live in an ordinary hash table. A list never grows beyond that length, so every member is always seen.
+// recent, hence in cache; this measures two to five times faster than open addressing and needs no rehashing. For an
+// operand with many users (a hub), users beyond `longest_list` are in an ordinary hash table. A list never exceeds that
+// length, so a lookup always sees all of it.
 #pragma once
 
 #include "engine/graph/node.h"
@@ -16,7 +16,7 @@ namespace symreal {
 
 class NodeTable {
 public:
-  // The node with this key, new or old. `operand` entries beyond the arity are no_node.
+  // Id of the node equal to this one, new or old. `operand` entries beyond the arity must be no_node.
   NodeId intern(Node const &node) {
     if (is_leaf(node.op)) return intern_in_hash(node);
     NodeId &newest = links_[newest_operand(node)].first_user;
@@ -28,7 +28,7 @@ public:
     NodeId const next = std::exchange(newest, static_cast<NodeId>(nodes_.size()));
     return append(node, next);
   }
-  // Always a new node: how a graph is read that may hold duplicates. Interning may or may not find it later.
+  // Appends a new node in any case, for reading graphs with duplicates. Interning may or may not find it later.
   NodeId append(Node const &node) { return append(node, no_node); }
 
   NodeId constant(double value) { return intern(Node::constant(value)); }
@@ -40,7 +40,7 @@ public:
     return {op, attribute_of(op, attribute), {a, b, c}};
   }
 
-  // The same of + - * /.
+  // Likewise, for + - * / only.
   Node arithmetic(Op op, NodeId a, NodeId b) const {
     return {op, std::max(attributes_[a], attributes_[b]), {a, b, no_node}};
   }
@@ -48,7 +48,7 @@ public:
   Nodes const &nodes() const { return nodes_; }
   Node const &operator[](NodeId id) const { return nodes_[id]; }
   std::size_t size() const { return nodes_.size(); }
-  // Makes room for so many nodes at once.
+  // Reserves memory for this many nodes.
   void reserve(std::size_t count);
   // Hands the nodes over; the table is empty afterwards.
   Nodes release();
@@ -79,7 +79,7 @@ private:
 
   Nodes nodes_;
   LongArray<Links> links_;          // per node
-  LongArray<Attribute> attributes_; // per node once more: those of old operands stay in the cache like this
+  LongArray<Attribute> attributes_; // per node; a copy, so that those of old operands stay in cache
   LongArray<NodeId> hash_;          // open addressing: leaves, and users of hubs
   std::size_t hashed_ = 0;
 };

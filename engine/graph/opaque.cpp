@@ -26,7 +26,7 @@ std::vector<NodeId> arguments_of(Graph const &graph, NodeId list) {
 
 namespace {
 
-// A constant operand that counts something below `end`.
+// Whether the node is a constant index below `end`.
 bool is_number_below(Graph const &graph, NodeId id, std::size_t end) {
   Node const &node = graph.nodes[id];
   if (!node.is_constant()) return false;
@@ -51,7 +51,7 @@ char const *lookup_violation(Graph const &graph, Node const &node) {
                                                                        : "has not as many indices as its table";
 }
 
-// Whether what is constant of the arguments is whole where the function takes integers.
+// Whether constant arguments are integers where the function takes integers.
 bool fit(Graph const &graph, External const &external, std::vector<NodeId> const &arguments) {
   std::size_t next = 0;
   for (ExternalValue const &parameter : external.parameters) {
@@ -92,7 +92,7 @@ char const *returned_violation(Graph const &graph, Node const &node) {
 char const *find_opaque_violation(Graph const &graph, NodeId id) {
   Node const &node = graph.nodes[id];
   char const *what = nullptr;
-  std::size_t first_value = 0; // of the operands, where those begin that must be numbers
+  std::size_t first_value = 0; // index of the first operand that must be a number
   switch (node.op) {
   case Op::lookup:
   case Op::lookup2: what = lookup_violation(graph, node); break;

@@ -1,4 +1,4 @@
-// How often each operation occurs.
+// Operation counts, per operation.
 #pragma once
 
 #include "engine/ops/operation.h"
@@ -13,7 +13,7 @@ struct OperationCounts {
 
   std::size_t &operator[](Op op) { return by_op[static_cast<std::size_t>(op)]; }
   std::size_t operator[](Op op) const { return by_op[static_cast<std::size_t>(op)]; }
-  // + - * /; sign changes and functions do not count.
+  // Number of + - * /; negations and functions are excluded.
   std::size_t arithmetic() const { return (*this)[Op::add] + (*this)[Op::sub] + (*this)[Op::mul] + (*this)[Op::div]; }
   std::size_t calls() const {
     std::size_t sum = 0;

@@ -1,4 +1,4 @@
-// How two numbers may stand to each other: a set of these. A comparison asks for some of them.
+// Order relations of two numbers, as sets. A comparison holds for a subset of them.
 #pragma once
 
 #include "engine/ops/operation.h"
@@ -7,7 +7,7 @@ namespace symreal::relation {
 
 enum Of : unsigned { less = 1, equal = 2, greater = 4, unordered = 8, any = 15 }; // unordered: one of them is NaN
 
-// Those for which the comparison holds; none: it compares no numbers.
+// Relations for which the comparison holds; the empty set if `op` is not a comparison of numbers.
 inline unsigned held_by(Op op) {
   switch (op) {
   case Op::lt: return less;
@@ -20,7 +20,7 @@ inline unsigned held_by(Op op) {
   }
 }
 
-// With the operands exchanged.
+// The relations with exchanged operands.
 inline unsigned mirrored(unsigned set) {
   return (set & (equal | unordered)) | (set & less ? greater : 0u) | (set & greater ? less : 0u);
 }

@@ -4,7 +4,7 @@
 
 namespace symreal {
 
-// "x[0:2]" is meant by itself and by x.
+// Finds an object by its label, or by its name: "x[0:2]" or x.
 static std::size_t find(std::vector<Object> const &objects, std::string const &name) {
   auto const is_meant = [&](Object const &object) {
     return object.label == name || object.label.substr(0, object.label.find('[')) == name;

@@ -1,4 +1,4 @@
-// Which inputs of a graph are states, and which outputs are their derivatives by time.
+// State variables of a graph, paired with the outputs that are their time derivatives.
 #pragma once
 
 #include "engine/graph/graph.h"
@@ -12,8 +12,8 @@ struct State {
   std::size_t input, output;
 };
 
-// In the order of the inputs. Throws pragma_syntax where a pair names no objects, objects of different shapes, or one
-// that another pair names.
+// States in input order. Throws pragma_syntax if a pair names unknown objects, objects of different shapes, or one that
+// another pair names.
 std::vector<State> find_states(Graph const &graph);
 
 } // namespace symreal

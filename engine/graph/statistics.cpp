@@ -2,7 +2,7 @@
 
 namespace symreal {
 
-// What the values that `preprocess` stores need.
+// Per node: whether a value that preprocess stores needs it.
 static std::vector<char> preprocess_nodes(Graph const &graph) {
   std::vector<char> needed(graph.nodes.size(), 0);
   for (NodeId id : graph.precomputed) needed[id] = 1;

@@ -14,7 +14,7 @@ namespace {
 
 using Kind = ExternalValue::Kind;
 
-// As a compiler spells the types of integers.
+// Integer types as compilers spell them.
 constexpr auto integer_types = std::to_array<std::string_view>(
     {"_Bool", "char", "signed char", "unsigned char", "short", "unsigned short", "int", "unsigned int", "long",
      "unsigned long", "long long", "unsigned long long", "__int128", "unsigned __int128"});
@@ -31,9 +31,9 @@ bool is_of_numbers(External const &external, unsigned arity) {
   return external.returned == number && external.parameters == std::vector(arity, number);
 }
 
-// Whether C declares both alike: functions of one name must be.
+// Whether C declares both alike, as functions of one name must be.
 bool has_prototype_of(External const &a, External const &b) {
-  // How many numbers stand behind a pointer is not part of it, nor which of them are read.
+  // The number of elements behind a pointer is not part of a prototype, nor whether they are read.
   auto const is_alike = [](ExternalValue const &x, ExternalValue const &y) {
     bool const are_written = x.kind != Kind::input && x.is_pointer() && y.kind != Kind::input && y.is_pointer();
     return are_written || (x.kind == y.kind && x.type == y.type && (x.kind != Kind::object || x.count == y.count));
@@ -52,12 +52,12 @@ std::string check_objects(std::vector<Object> const &objects) {
   return {};
 }
 
-// Operations that the general check looks at more closely, also from their users.
+// Flags of operations with further checks, also for their users.
 constexpr unsigned demanding = flag::WIDE | flag::TAKES_WIDE | flag::STRUCTURE | flag::OPAQUE;
 
-// Most nodes of most graphs: a sum, a difference, a product or a quotient of two numbers.
+// Fast path for most nodes of most graphs: a sum, difference, product or quotient of two numbers.
 bool is_sound_arithmetic(Nodes const &nodes, NodeId id) {
-  static constexpr auto plain = [] { // operations without a demand of their own, and leaves
+  static constexpr auto plain = [] { // operations without further checks, and leaves
     std::array<bool, static_cast<std::size_t>(Op::count)> result{};
     result.fill(true);
     for (OperationInfo const &row : detail::operation_table)
@@ -89,7 +89,7 @@ Attribute attribute_of_leaf(Op op) {
   return op == Op::constant ? Attribute::constant : op == Op::parameter ? Attribute::parametric : Attribute::variable;
 }
 
-// The violation in words, or nullptr.
+// Description of the violation, or nullptr.
 char const *find_node_violation(Graph const &graph, NodeId id) {
   if (is_sound_arithmetic(graph.nodes, id)) return nullptr;
   Node const &node = graph.nodes[id];
@@ -101,7 +101,7 @@ char const *find_node_violation(Graph const &graph, NodeId id) {
   if (is_leaf(node.op)) return nullptr;
   OperationInfo const &operation = info(node.op);
   Attribute attribute = Attribute::constant;
-  unsigned flags = operation.flags; // and those of the operands
+  unsigned flags = operation.flags; // united with those of the operands
   for (std::size_t i = 0; i < node.operand.size(); ++i) {
     if ((i < operation.arity) != (node.operand[i] != no_node)) return "has the wrong number of operands";
     if (i >= operation.arity) continue;
@@ -138,7 +138,7 @@ std::string check_externals(std::vector<External> const &externals) {
   return {};
 }
 
-// Calls in order form one chain, which ends in the last effect: what is not in it would be lost.
+// Ordered calls form one chain that ends in the last effect; a call outside it would be lost.
 std::string check_effects(Graph const &graph) {
   auto const is_effect = [&](NodeId id) { return id < graph.nodes.size() && graph.nodes[id].op == Op::call_in_order; };
   if (graph.last_effect != no_node && !is_effect(graph.last_effect)) return "the last effect is no call in order";
@@ -148,7 +148,7 @@ std::string check_effects(Graph const &graph) {
   return reached == effects ? "" : "a call in order does not stand before the last effect";
 }
 
-// What a result, a guard and `constants` hold.
+// Whether the node is a number, as results, guards and `constants` must be.
 bool is_number(Graph const &graph, NodeId id) {
   Op const op = graph.nodes[id].op;
   return is_leaf(op) || !info(op).has(flag::WIDE | flag::STRUCTURE);
@@ -173,7 +173,7 @@ std::string check_roots(Graph const &graph) {
   return {};
 }
 
-// What is known of nodes besides their operations.
+// Checks the per-node columns: locations, names, exactness.
 std::string check_columns(Graph const &graph) {
   if (!graph.node_location.empty() && graph.node_location.size() != graph.nodes.size())
     return "the number of nodes' locations differs";

@@ -1,21 +1,21 @@
-// The invariants of a graph. Run on every graph that is read, and after every pass.
+// Validation of graph invariants, for every graph that is read and after every pass.
 #pragma once
 
 #include "engine/graph/graph.h"
 
 namespace symreal {
 
-// Whether some number lies in it.
+// Whether the range is nonempty.
 bool is_range(Range const &range);
 
-// Whether C has it as a name: letters, digits and underscores, and no keyword of C.
+// Whether C accepts the name: letters, digits and underscores, other than a keyword.
 bool is_c_identifier(std::string_view name);
 
-// Why C cannot declare the function: a name that is no identifier, an integer of a type that C does not name so, a
-// function of <math.h> that takes something else. Empty where it can.
+// Reason why C cannot declare the function: an invalid identifier, an integer type unknown to C, or a function of
+// <math.h> with another signature. Empty if it can.
 std::string find_violation(External const &external);
 
-// The first violated invariant in words, or empty. `node` becomes the node that violates it, where one does.
+// Description of the first violated invariant, or empty. `node` is set to the violating node, if it is a node's.
 std::string find_violation(Graph const &graph, NodeId *node = nullptr);
 
 } // namespace symreal

@@ -19,7 +19,7 @@ static Interval magnitude(Interval const &x) {
   return {x.low > 0 ? x.low : (x.high < 0 ? -x.high : 0), std::max(-x.low, x.high), x.nan};
 }
 
-// What is known of one node where an arm is taken.
+// Bound of one node implied by a condition, valid in an arm of a select.
 struct ValueRanges::Bound {
   NodeId node = no_node;
   double low = -std::numeric_limits<double>::infinity(), high = -low;
@@ -34,7 +34,7 @@ ValueRanges::ValueRanges(Graph const &graph, FloatingPoint mode, std::vector<Int
   for (Node const &node : graph.nodes) ranges_.push_back(of(node, 1));
 }
 
-// Looks `depth` operands deep: further down the ranges are those from the beginning.
+// Refines the range through operands up to `depth`; below that it takes the stored ranges.
 Interval ValueRanges::near(NodeId id, int depth) const {
   Interval range = ranges_[id];
   if (depth > 0) meet(range, of(graph_.nodes[id], depth));
@@ -89,7 +89,7 @@ Interval ValueRanges::of(Node const &node, int depth) const {
   }
 }
 
-// A bound that is no number, as of inf - inf, says nothing.
+// A NaN bound, such as that of inf - inf, becomes the unknown range.
 Interval ValueRanges::bounded(Interval const &x) const {
   if (std::isnan(x.low) || std::isnan(x.high)) return any_;
   return {std::max(x.low, any_.low), std::min(x.high, any_.high), any_.nan};
@@ -105,21 +105,21 @@ Interval ValueRanges::monotone(Node const &node, int depth) const {
   return bounded({evaluate(node.op, low[0], low[1], low[2]), evaluate(node.op, high[0], high[1], high[2]), any_.nan});
 }
 
-// A conversion of a number to an integer, undefined where the type does not hold it.
+// Conversion of a number to an integer type; undefined if it is out of range.
 Interval ValueRanges::cut_off(Node const &node, double low, double high, int depth) const {
   Interval const x = operand(node, 0, depth);
   if (!(x.low <= high && x.high >= low)) return {low, high, false};
   return {std::trunc(std::max(x.low, low)), std::trunc(std::min(x.high, high)), false};
 }
 
-// The low bits of an integer: itself where the type holds it, else anything that the type holds.
+// The low bits of an integer: the integer itself if the type holds it, else the whole range of the type.
 Interval ValueRanges::integer(Node const &node, double low, double high, int depth) const {
   Interval const x = operand(node, 0, depth);
   if (x.nan || !(x.low >= low && x.high <= high)) return {low, high, false};
   return {std::trunc(x.low), std::trunc(x.high), false};
 }
 
-// Products and quotients are largest and smallest at the ends of the ranges.
+// Products and quotients have their extrema at the corners of the ranges.
 Interval ValueRanges::corners(Node const &node, int depth) const {
   Interval const x = operand(node, 0, depth), y = operand(node, 1, depth);
   bool const x_has_zero = x.low <= 0 && x.high >= 0, y_has_zero = y.low <= 0 && y.high >= 0;
@@ -136,7 +136,7 @@ Interval ValueRanges::corners(Node const &node, int depth) const {
   return bounded(result);
 }
 
-// The other operand where one is a NaN.
+// fmin and fmax, which return the other operand if one is NaN.
 Interval ValueRanges::extreme(Node const &node, int depth) const {
   Interval const x = operand(node, 0, depth), y = operand(node, 1, depth);
   if (x.nan || y.nan) return {std::min(x.low, y.low), std::max(x.high, y.high), x.nan && y.nan};
@@ -144,7 +144,7 @@ Interval ValueRanges::extreme(Node const &node, int depth) const {
   return {std::max(x.low, y.low), std::max(x.high, y.high), false};
 }
 
-// fmod has the sign of x, and is less than y in magnitude.
+// fmod has the sign of x and a magnitude below that of y.
 Interval ValueRanges::rest(Interval const &x, Interval const &y) const {
   double const limit = std::max(std::fabs(y.low), std::fabs(y.high));
   if (limit == 0) return any_;
@@ -152,8 +152,8 @@ Interval ValueRanges::rest(Interval const &x, Interval const &y) const {
   return bounded({x.low < 0 ? -std::min(below, -x.low) : 0, x.high > 0 ? std::min(below, x.high) : 0, any_.nan});
 }
 
-// Either arm, each under what the condition says of it, as in x < 0 ? 0 : x. The arm of the arm may be the node that
-// is compared, as in x < 0 ? 0 : (1 < x ? 1 : x); that far is looked.
+// Union of both arms, each under the bound that the condition implies, as in x < 0 ? 0 : x. A nested select in an arm
+// may depend on the compared node, as in x < 0 ? 0 : (1 < x ? 1 : x); one level of nesting is analysed.
 Interval ValueRanges::choice(Node const &node, Bound const &outer, int depth) const {
   Interval const y = arm(node, 1, outer, depth), z = arm(node, 2, outer, depth);
   return {std::min(y.low, z.low), std::max(y.high, z.high), y.nan || z.nan};
@@ -171,7 +171,7 @@ Interval ValueRanges::arm(Node const &node, unsigned k, Bound const &outer, int 
   return range;
 }
 
-// Of the left or right operand of a comparison that holds, or does not.
+// Bound of the left or right operand that a comparison implies if it holds, or fails.
 ValueRanges::Bound ValueRanges::bound_of(NodeId condition, bool holds, bool is_left) const {
   Node const *node = &graph_.nodes[condition];
   for (; node->op == Op::logical_not; node = &graph_.nodes[node->operand[0]]) holds = !holds;

@@ -1,7 +1,7 @@
-// Bounds of the values of nodes, as far as the operations tell.
+// Value ranges: interval analysis of a graph.
 //
-// Rounding to nearest never changes the order of two numbers, so the bounds of a sum are the rounded sums of the
-// bounds, and they are met exactly: no bound needs to be widened.
+// Rounding to nearest is monotone, so the bounds of a sum are the rounded sums of the bounds, and they are attained
+// exactly: bounds need no widening.
 #pragma once
 
 #include "engine/graph/graph.h"
@@ -11,10 +11,10 @@
 
 namespace symreal {
 
-// Numbers between two bounds, which belong to it.
+// A closed interval, with or without NaN.
 struct Interval {
   double low, high;
-  bool nan; // or a NaN
+  bool nan; // whether the value may be NaN
 
   bool empty() const { return !(low <= high) && !nan; }
   bool within(Interval const &other) const {
@@ -24,12 +24,12 @@ struct Interval {
 
 class ValueRanges {
 public:
-  // Linear in the nodes. `inputs`: between which bounds each lies, by slot; those behind them may be anything.
+  // Linear time. `inputs`: interval per input slot; slots beyond it are unbounded.
   ValueRanges(Graph const &graph, FloatingPoint mode, std::vector<Interval> inputs = {});
 
-  // With what was learnt of the node itself, and of its operands, as far as these are near.
+  // Range of the node, refined by narrowed ranges of itself and of near operands.
   Interval range(NodeId id) const { return near(id, 4); }
-  // From a condition that holds from now on.
+  // Narrows a node's range, as implied by a guard for the rest of the program.
   void narrow(NodeId id, Interval const &range) { ranges_[id] = range; }
 
 private:
@@ -50,7 +50,7 @@ private:
 
   Graph const &graph_;
   std::vector<Interval> const inputs_;
-  Interval any_; // whatever a value may be: in modes other than strict it is finite by their premise
+  Interval any_; // range of an unknown value: finite in modes other than strict, by premise
   std::vector<Interval> ranges_;
 };
 

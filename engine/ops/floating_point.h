@@ -1,4 +1,4 @@
-// The three floating-point modes. docs/reference/floating-point.md is the law book.
+// The three floating-point modes, defined in docs/reference/floating-point.md.
 #pragma once
 
 #include <optional>
@@ -6,7 +6,7 @@
 
 namespace symreal {
 
-// A rule that is valid in one mode is valid in every later one.
+// Ordered: a rule that is valid in one mode is valid in every later one.
 enum class FloatingPoint {
   strict, // bit-identical to the reference for all inputs, any NaN equal to any NaN
   finite, // equal (==) to the reference where all values are finite and no zero reaches an operation that sees its sign

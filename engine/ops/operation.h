@@ -1,5 +1,5 @@
-// What derives from the table of operations (include/symreal/operations.def): descriptions and
-// evaluation. The enum stands in include/symreal/op.h, since a symbolic program sees it.
+// Descriptions and evaluation of the operations, derived from their table (include/symreal/operations.def). The enum is
+// in include/symreal/op.h, since symbolic programs need it.
 #pragma once
 
 #include "engine/diagnostics/diagnostic.h"
@@ -41,7 +41,7 @@ inline constexpr unsigned COMMUTATIVE = 1, ROUNDED = 2, ZERO_SIGN = 4, BOOLEAN =
 
 namespace detail {
 using namespace flag;
-// In the header, since passes look at the rows of every node of a graph.
+// In the header, since passes look up the row of every node of a graph.
 inline constexpr std::array operation_table = {
 #define OPERATION(id, arity, form, c, precedence, evaluate, derivative, cost, flags, domain, doc)                      \
   OperationInfo{Op::id, #id, arity, Form::form, c, precedence, derivative, cost, flags, Domain::domain, doc},
@@ -54,23 +54,23 @@ inline constexpr std::array operation_table = {
 inline std::span<OperationInfo const> operations() { return detail::operation_table; }
 
 inline bool is_leaf(Op op) { return op <= Op::parameter; }
-// The row of an operation; leaves have none.
+// The row of an operation, which must not be a leaf.
 inline OperationInfo const &info(Op op) {
   internal_check(!is_leaf(op));
   return detail::operation_table[static_cast<std::size_t>(op) - static_cast<std::size_t>(Op::parameter) - 1];
 }
 inline unsigned arity(Op op) { return is_leaf(op) ? 0 : info(op).arity; }
-// An integer of 64 bits: its value among those of nodes is its bits.
+// Whether the operation yields a 64-bit integer, whose bits a node's value holds.
 inline bool is_wide(Op op) { return !is_leaf(op) && info(op).has(flag::WIDE); }
-// Whether operand `i` must be one.
+// Whether operand `i` must be a 64-bit integer.
 inline bool takes_wide(Op op, std::size_t i) {
   return info(op).has(flag::TAKES_WIDE) && !(info(op).form == Form::select && i == 0);
 }
 inline bool is_call(Op op) { return op == Op::call || op == Op::call_in_order; }
 std::optional<Op> find_operation(std::string_view name);
 
-// The reference semantics. Unused operands are ignored. Truth values are 0 and 1. Not of an OPAQUE operation: graph/
-// evaluate.h knows what stands behind it.
+// Reference semantics. Unused operands are ignored. Truth values are 0 and 1. OPAQUE operations are excluded:
+// graph/evaluate.h evaluates them.
 double evaluate(Op op, double x, double y, double z);
 
 } // namespace symreal

@@ -16,7 +16,7 @@ std::string shell_quoted(std::string const &text) {
   return result + "'";
 }
 
-// A text that a process started from here reads as a file; it lies in no directory.
+// A text in memory, which a child process reads as a file; it has no name in any directory.
 class TextInMemory {
 public:
   explicit TextInMemory(std::string const &text) : descriptor_(memfd_create("text", 0)) {
@@ -39,7 +39,7 @@ private:
 std::string unified_diff(std::string const &file, std::string const &before, std::string const &after) {
   if (before == after) return {};
   TextInMemory const old_text(before), new_text(after);
-  // A tab says where a name with blanks ends.
+  // A tab marks the end of a name with blanks.
   std::string const name = file + (file.find(' ') == std::string::npos ? "" : "\t");
   std::string const command = "diff -u --label " + shell_quoted("a/" + name) + " --label " + shell_quoted("b/" + name) +
                               " " + old_text.path() + " " + new_text.path();

@@ -1,11 +1,11 @@
-// Two texts of one file, as people compare them.
+// Unified diff of two versions of a file.
 #pragma once
 
 #include <string>
 
 namespace symreal {
 
-// `diff -u`, with the file's name below a/ and b/; empty where the texts are the same. Throws unreadable_file where the
+// Output of `diff -u`, with the file name below a/ and b/; empty if the texts are equal. Throws unreadable_file if the
 // program diff cannot run.
 std::string unified_diff(std::string const &file, std::string const &before, std::string const &after);
 

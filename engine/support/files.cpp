@@ -14,7 +14,7 @@
 
 namespace symreal {
 
-// Reads it piece by piece.
+// Compares piece by piece, in constant memory.
 bool holds(std::string const &path, std::string_view text) {
   std::error_code problem;
   if (std::filesystem::file_size(path, problem) != text.size() || problem) return false;
@@ -74,7 +74,7 @@ void write_if_changed(std::string const &path, std::string const &text) {
     close(descriptor);
     give_up(reason);
   }
-  mode_t mask = umask(0); // mkstemp makes private files; the result gets the permissions that any new file gets
+  mode_t mask = umask(0); // mkstemp makes private files; the result gets the permissions of any new file
   umask(mask);
   if (fchmod(descriptor, 0666 & ~mask) != 0 || close(descriptor) != 0) give_up(errno);
   if (rename(temporary.c_str(), path.c_str()) != 0) give_up(errno);

@@ -11,18 +11,18 @@ namespace symreal {
 // Throws unreadable_file.
 std::string read_file(std::string const &path);
 
-// Calls `watch` with the path of each file that read_file reads from now on: a command notes its inputs by this. To be
-// set before there are threads.
+// Calls `watch` with the path of each file that read_file reads from now on, so that a command can note its inputs.
+// Must be set before threads start.
 void watch_reads(void (*watch)(std::string const &path));
 
-// The text of a file, read without notice to the watch: of a result of an earlier run, which a new one replaces.
-// Nothing if it cannot be read.
+// The text of a file, hidden from the watch: for the result of an earlier run that a new one replaces. Nullopt if it
+// cannot be read.
 std::optional<std::string> text_of_file(std::string const &path);
 
-// Whether the file holds this text.
+// Whether the file has exactly this text.
 bool holds(std::string const &path, std::string_view text);
 
-// Writes all of it to an open file, however often the system breaks off. If it cannot, errno says why.
+// Writes all bytes to an open file, resuming interrupted writes. False on failure, with errno set.
 bool write_whole(int descriptor, void const *begin, std::size_t size);
 
 // Writes to a temporary name in the same directory, then renames: a reader sees the old file or the new one. Leaves a

@@ -1,5 +1,5 @@
-// The functions of the formatting library, compiled once and in a namespace of the runtime's own
-// (runtime/CMakeLists.txt): a program that is linked with the runtime may use another version of the library, or none.
+// Functions of the formatting library fmt, compiled once, in a namespace of the runtime's own (runtime/CMakeLists.txt):
+// a program linked with the runtime may use another version of the library, or none.
 #include <fmt/format-inl.h>
 
 FMT_BEGIN_NAMESPACE

@@ -6,7 +6,7 @@ namespace symreal {
 
 namespace fs = std::filesystem;
 
-// An installed tool has its own beside it, wherever the tree was moved to; one in its build tree has that of the
+// Path of a file beside an installed tool, wherever the tree was moved to; for a tool in its build tree, that in the
 // sources.
 static std::string installed_or(char const *installed, char const *built) {
   std::error_code error;

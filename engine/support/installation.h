@@ -1,4 +1,4 @@
-// Where the tools find what a symbolic program is compiled and linked with.
+// Paths of the files that a symbolic program is compiled and linked with.
 #pragma once
 
 #include <string>
@@ -6,8 +6,8 @@
 namespace symreal {
 
 std::string const &runtime_include();    // the directory of symreal/real.h
-std::string const &runtime_library();    // linked into a program that the tool runs
-std::string const &generating_library(); // into one that is run by hand: the same, with the emitter
-std::string const &recording_plugin();   // of clang, from rewrite/instrument/plugin.cpp
+std::string const &runtime_library();    // linked into programs that the tool runs
+std::string const &generating_library(); // linked into programs that the user runs: also has the emitter
+std::string const &recording_plugin();   // clang plugin, from rewrite/instrument/plugin.cpp
 
 } // namespace symreal

@@ -1,4 +1,4 @@
-// Text in parts.
+// Splitting of text into trimmed items.
 #pragma once
 
 #include <string>
@@ -7,10 +7,10 @@
 
 namespace symreal {
 
-// Without the blanks, tabs and ends of lines around it.
+// The text without surrounding blanks, tabs and newlines.
 std::string_view trimmed(std::string_view text);
 
-// The parts between commas that no bracket encloses, trimmed: "a[1, 2], b" has two.
+// The trimmed parts between commas outside brackets: "a[1, 2], b" has two.
 std::vector<std::string> items_of(std::string_view text);
 
 } // namespace symreal

@@ -13,7 +13,7 @@ namespace symreal {
 
 namespace {
 
-// At these the code with and that without FMA differ: found by glibc 2.36 with and without
+// Arguments at which the code with FMA differs from that without: found with glibc 2.36, with and without
 // GLIBC_TUNABLES=glibc.cpu.hwcaps=-FMA,-AVX2.
 constexpr std::array sine_at = {0x1.ed916872b020dp-3, 0x1.09374bc6a7efap-2, 0x1.9f3b645a1cac1p+0, 0x1.a2b020c49ba5fp+1};
 constexpr std::array sine_fused = {0x1.e8cdd542d7eb5p-3, 0x1.0642c1d85096ep-2, 0x1.ff5436d5700d6p-1,
@@ -21,7 +21,7 @@ constexpr std::array sine_fused = {0x1.e8cdd542d7eb5p-3, 0x1.0642c1d85096ep-2, 0
 constexpr std::array sine_plain = {0x1.e8cdd542d7eb4p-3, 0x1.0642c1d85096fp-2, 0x1.ff5436d5700d7p-1,
                                    -0x1.084983a158a58p-3};
 
-// Not folded by the compiler, which may round otherwise.
+// Hides a value from constant folding, which may round differently.
 double opaque(double x) {
   double volatile hidden = x;
   return hidden;

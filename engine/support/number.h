@@ -1,4 +1,4 @@
-// Numbers as text that reads back to the same bits.
+// Conversion of numbers to text that reads back to the same bits.
 #pragma once
 
 #include <cstddef>
@@ -8,16 +8,16 @@
 
 namespace symreal {
 
-// The shortest decimal text that reads back to the same double: "10", "-0", "0.1", "1e+300", "inf", "nan"; of a NaN the
-// sign alone.
+// The shortest decimal text that reads back to the same double: "10", "-0", "0.1", "1e+300", "inf", "nan"; of a NaN
+// only the sign is kept.
 std::string shortest(double value);
-// That reads back to the same float: "0.1" of the float that is 0.10000000149011612.
+// The shortest text that reads back to the same float: "0.1" for the float 0.10000000149011612.
 std::string shortest(float value);
 
-// The inverse; also hexadecimal floating point ("0x1.8p+1"). The whole text must be a number.
+// Inverse of shortest; also parses hexadecimal floating point ("0x1.8p+1"). Nullopt unless the whole text is a number.
 std::optional<double> parse_number(std::string_view text);
 
-// The decimal text of a count, at the end of `text`.
+// Appends the decimal text of a count to `text`.
 void append_number(std::string &text, std::size_t number);
 
 } // namespace symreal

@@ -8,8 +8,8 @@
 
 namespace symreal {
 
-// Behind the first of them, huge pages are asked for: there the system's work per page is most of the cost of
-// appending. A short array stays in small ones.
+// Beyond the first 2 MiB, huge pages are requested: there the system's work per page dominates the cost of appending.
+// Short arrays stay in small pages.
 static constexpr std::uintptr_t huge_page = std::uintptr_t{1} << 21;
 
 void *map_anonymous(std::size_t size, int flags) {
@@ -22,7 +22,7 @@ void *map_pages(std::size_t size) {
   if (begin == MAP_FAILED) throw std::bad_alloc();
   std::uintptr_t const first = reinterpret_cast<std::uintptr_t>(begin), end = first + size;
   std::uintptr_t const huge = (first + 2 * huge_page - 1) / huge_page * huge_page;
-  if (huge < end) madvise(reinterpret_cast<void *>(huge), end - huge, MADV_HUGEPAGE); // advice: no is an answer
+  if (huge < end) madvise(reinterpret_cast<void *>(huge), end - huge, MADV_HUGEPAGE); // a hint, which may be refused
   return begin;
 }
 

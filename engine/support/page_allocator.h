@@ -1,8 +1,8 @@
-// Memory for arrays that grow long, straight from the system: `LongArray<Node>`.
+// Allocator of long arrays, with pages directly from the system: `LongArray<Node>`.
 //
-// A recording reserves address space for its longest array at once, since a vector that grows would copy it again and
-// again. A page takes memory when something is put there. None of it comes from `malloc` or `operator new`: a program
-// may bring its own, and the longest array is none of its business.
+// A recording reserves address space for its longest array at once, since a growing vector would copy it repeatedly. A
+// page uses memory only after its first write. The pages bypass `malloc` and `operator new`, which a program may
+// replace and which must not see the longest array.
 #pragma once
 
 #include <cstddef>
@@ -12,11 +12,11 @@
 
 namespace symreal {
 
-// mmap of zero pages that can be written; MAP_FAILED where the system has no room. Not by its name, which a symbolic
-// program has replaced (trace/state/mapping_hooks.cpp).
+// mmap of writable zero pages; MAP_FAILED if memory is short. A direct system call, since a symbolic program replaces
+// mmap (trace/state/mapping_hooks.cpp).
 void *map_anonymous(std::size_t size, int flags);
 
-// Whole pages, zero; throws std::bad_alloc where the system has no room.
+// Whole zero pages; throws std::bad_alloc if memory is short.
 void *map_pages(std::size_t size);
 void unmap_pages(void *begin, std::size_t size) noexcept;
 
@@ -35,7 +35,7 @@ public:
     if (count > least_mapped) return unmap_pages(begin, count * sizeof(T));
     ::operator delete(begin);
   }
-  // An element without a value is left as it is, so that an array can be read into.
+  // Default construction leaves the element uninitialised, so that an array can be read into.
   template <class U> void construct(U *place) { ::new (static_cast<void *>(place)) U; }
   template <class U, class... Arguments> void construct(U *place, Arguments &&...arguments) {
     ::new (static_cast<void *>(place)) U(std::forward<Arguments>(arguments)...);

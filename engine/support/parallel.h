@@ -1,4 +1,4 @@
-// Work in several threads.
+// Parallel execution of independent work items.
 #pragma once
 
 #include <algorithm>
@@ -10,8 +10,8 @@
 
 namespace symreal {
 
-// Calls work(k) for each k below count, in this order and so many at once. The first exception is thrown when all have
-// ended.
+// Calls work(k) for each k below count, started in this order on up to `jobs` threads. Rethrows the first exception
+// after all items have ended.
 template <class Work> void in_parallel(std::size_t count, unsigned jobs, Work work) {
   std::atomic<std::size_t> next = 0;
   std::mutex mutex;

@@ -18,7 +18,7 @@ Progress::Progress(char const *unit, std::size_t all) : unit_(unit), all_(all) {
   innermost = this;
 }
 
-// Work in several threads need not end in the order in which it began.
+// Unlinks the counter anywhere in the list, since threads may end in any order.
 Progress::~Progress() {
   std::scoped_lock const lock(guard);
   Progress **link = &innermost;

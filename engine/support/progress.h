@@ -1,5 +1,5 @@
-// Progress of long work. The work counts; the console reads the counts from time to time. Counting costs next to
-// nothing and does not need a reader.
+// Progress counters of long work. The work increments them; the console reads them from time to time. Counting costs
+// next to nothing and needs no reader.
 #pragma once
 
 #include <atomic>
@@ -8,19 +8,19 @@
 
 namespace symreal {
 
-// Work that goes on as long as this lives. Inside of it other work may be counted.
+// Work that lasts as long as this object. Counters may nest.
 class Progress {
 public:
-  // `unit`: what is counted, a literal such as "samples". `all`: of how many; 0 where that is unknown.
+  // `unit`: a literal such as "samples". `all`: the total number of units; 0 if unknown.
   explicit Progress(char const *unit, std::size_t all = 0);
   ~Progress();
   Progress(Progress const &) = delete;
   Progress &operator=(Progress const &) = delete;
 
-  // From any thread.
+  // Thread-safe.
   void add(std::size_t count = 1) { done_ += count; }
 
-  // "2 of 12 passes, 31 of 100 percent of the search": of all work that goes on, the outermost first.
+  // Progress of all current work, the outermost first: "2 of 12 passes, 31 of 100 percent of the search".
   static std::string now();
 
 private:

@@ -1,13 +1,13 @@
-// Text as the literal of a string, as C, YAML and the text of a graph have it.
+// String literals as C, YAML and the text form of a graph write them.
 #pragma once
 
 #include <string>
 
 namespace symreal {
 
-// With a backslash before each quotation mark and each backslash.
+// The text with a backslash before each quotation mark and backslash.
 std::string escaped(std::string const &text);
-// The same between quotation marks.
+// The escaped text in quotation marks.
 std::string in_quotes(std::string const &text);
 
 } // namespace symreal

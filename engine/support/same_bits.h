@@ -1,4 +1,4 @@
-// Numbers compared bit by bit: 0 is not -0, and a NaN is itself.
+// Bitwise comparison of numbers: 0 differs from -0, and a NaN equals itself.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// A stack that asks for memory only when it grows beyond a few elements.
+// A stack that allocates memory only beyond its first few elements.
 #pragma once
 
 #include <array>
@@ -24,7 +24,7 @@ public:
   }
 
 private:
-  std::array<T, few> some_; // these first
+  std::array<T, few> some_; // the first elements
   std::size_t count_ = 0;
   std::vector<T> more_;
 };

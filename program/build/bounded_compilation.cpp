@@ -13,8 +13,8 @@ constexpr double most_times = 10, most_seconds_more = 1;
 constexpr std::size_t most_memory_times = 5, most_memory_more = 300'000'000;
 constexpr double megabyte = 1e6;
 
-// Seconds; the runtime's header alone takes one. The compiler does not read the original faster than the rewriter has
-// read it, so that three times the latter are within the bound.
+// Seconds before the original is measured; the runtime's header alone takes one. The compiler reads the original no
+// faster than the rewriter did, so three times the reading time is within the bound.
 double unmeasured(BoundedCompilation const &compilation) {
   constexpr double large = 1, other = 2, times_of_reading = 3;
   return std::max(compilation.is_large ? large : other, times_of_reading * compilation.reading);
@@ -22,9 +22,8 @@ double unmeasured(BoundedCompilation const &compilation) {
 
 double most_seconds(Outcome const &original) { return most_times * original.processor_seconds + most_seconds_more; }
 
-// Without optimisation the compiler takes for a large source about seven times what the original does, and measuring
-// that is once more: two of ten times are left. A small source, for which both take seconds, is rather finished, within
-// what the bound has left.
+// Limit of the optimised compilation. Unoptimised, a large source takes about seven times the original, and measuring
+// takes one more: two of ten remain. A small source, where both take seconds, gets what the bound has left.
 double limit_of_usual(BoundedCompilation const &compilation, Outcome const &original) {
   constexpr double times = 2, most_of_small = 5;
   double const left = most_seconds(original) - original.processor_seconds;

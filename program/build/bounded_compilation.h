@@ -1,5 +1,5 @@
-// The compiler's work on a rewritten source, held against its work on the original. Each operation on a number is a
-// decision and a call there, so a function that is large for the compiler is many times as large.
+// Compilation of a rewritten source within a bound relative to the original's compilation. Each operation on a number
+// is a decision and a call there, so a source that is large for the compiler grows many times.
 #pragma once
 
 #include "program/build/process.h"
@@ -10,31 +10,30 @@
 namespace symreal::program {
 
 struct BoundedCompilation {
-  Command usual;         // of the rewritten source
-  Command unoptimised;   // the same without optimisation
-  Command original;      // of the original, as it stands
-  std::string source;    // in words
-  bool is_large = false; // the source
-  double reading = 0;    // seconds that it took to read it, as far as that is known
+  Command usual;         // command for the rewritten source
+  Command unoptimised;   // the same command without optimisation
+  Command original;      // command for the unchanged original
+  std::string source;    // name of the source in messages
+  bool is_large = false; // the source itself is large
+  double reading = 0;    // seconds that the rewriter took to read it; 0 if unknown
 };
 
-// In bytes. Where a smaller source is large for the compiler, its headers are.
+// Size in bytes from which a source is large. A smaller source may still be slow to compile because of its headers.
 inline constexpr std::size_t large_source = 12'000;
 
-// How the compilations are run, and what is said to the user.
+// Callbacks that run the compilations and inform the user.
 struct BoundedRun {
   std::function<Captured(Command const &)> compile, measure;
   std::function<void(std::string const &)> tell;
-  rewrite::KeptTexts *kept = nullptr; // what was found out before; may be none
-  std::string key;                    // of the source in it
+  rewrite::KeptTexts *kept = nullptr; // results of earlier runs; may be null
+  std::string key;                    // key of the source in `kept`
 };
 
-// All that is tried together stays within ten times the processor time of the original's compilation and a second. The
-// usual compilation of most sources is done in two seconds, or in three times what it took to read the source where its
-// headers are large, and the original is not measured. Any other, and that of a large source after a second, waits
-// there until the original has been compiled; then it gets the share that leaves
-// enough for the one without optimisation, which takes its place, with a word about it. A small source may exceed the
-// bound by some seconds; this is told as well.
+// Compiles within ten times the processor time of the original's compilation plus one second. Most sources finish
+// within two seconds, or three times their reading time if their headers are large; then the original is not measured.
+// Otherwise (a large source: after one second) the compilation pauses while the original is compiled, and resumes with
+// a share that leaves time for an unoptimised compilation, which replaces it, with a note, once the share is spent. A
+// small source may exceed the bound by some seconds, also with a note.
 Captured compile_bounded(BoundedCompilation const &compilation, BoundedRun const &run);
 
 } // namespace symreal::program

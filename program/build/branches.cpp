@@ -62,9 +62,9 @@ CoveredProgram build_covered(BuildRequest const &request, Overlay const &rewritt
 
 namespace {
 
-constexpr unsigned lines_before = 1; // the #line directive of the overlay, which coverage does not heed
+constexpr unsigned lines_before = 1; // line of the overlay's #line directive, which coverage ignores
 
-// The linker's name; that of a function of one file has the file before it.
+// Linker name without the file prefix of a local function.
 std::string linker_name(llvm::StringRef name) { return name.substr(name.find_last_of(":;") + 1).str(); }
 
 using CountsByName = std::map<std::pair<std::string, std::uint64_t>, Counts>;
@@ -77,7 +77,7 @@ CountsByName read_counts(std::string const &profile) {
   return counts;
 }
 
-// The functions of the program that are running where the kernel begins, innermost first.
+// Functions on the stack at the kernel's begin, innermost first.
 std::vector<std::string> functions_at(std::string const &program, std::vector<std::uint64_t> const &stack) {
   llvm::symbolize::LLVMSymbolizer::Options options;
   options.PrintFunctions = llvm::DILineInfoSpecifier::FunctionNameKind::LinkageName;
@@ -95,7 +95,7 @@ std::vector<std::string> functions_at(std::string const &program, std::vector<st
   return names;
 }
 
-// The lines between the annotations of a kernel in a block.
+// Lines between the annotations of a kernel in a block.
 struct Lines {
   unsigned first, last;
   bool have(unsigned line) const { return first <= line && line <= last; }
@@ -110,7 +110,7 @@ Lines lines_of(rewrite::Kernel const &kernel) {
   return lines;
 }
 
-// The source's own text on one line, cut off where it gets long.
+// Source text on one line, cut off if it is long.
 std::string shortened(std::string_view text) {
   constexpr std::size_t most = 60;
   std::string line;
@@ -132,7 +132,7 @@ std::size_t offset_of(std::string const &text, unsigned line, unsigned column) {
 
 class Reader {
 public:
-  // `innermost`: the function that runs where the kernel begins; the samples that have run.
+  // `innermost`: the function that runs at the kernel's begin; `samples`: number of samples that have run.
   Reader(rewrite::Result const &annotated, rewrite::Kernel const &kernel, std::string innermost, std::uint64_t samples)
       : annotated_(annotated),
         kernel_(kernel),
@@ -151,7 +151,7 @@ public:
         functions_[{record.Filenames[whole.FileID].str(), {whole.LineStart, whole.ColumnStart}}].emplace_back();
     function.name = llvm::demangle(linker_name(record.FunctionName));
     for (CounterMappingRegion const &region : record.MappingRegions) {
-      bool const is_known = region.Count.isZero() && region.FalseCount.isZero(); // to the compiler
+      bool const is_known = region.Count.isZero() && region.FalseCount.isZero(); // the compiler knows the outcome
       if (region.Kind != CounterMappingRegion::BranchRegion || is_known) continue;
       CounterMappingRegion const &seen = outermost(record, region);
       if (holds_kernel && !kernel_.is_function && !lines_.have(seen.LineStart - lines_before)) continue;
@@ -165,7 +165,7 @@ public:
 
   std::vector<BranchCount> result() {
     std::vector<BranchCount> all,
-        once; // one branch may be of several sources, or of several uses of a macro in a macro
+        once; // one branch may occur in several sources, or in several uses of a nested macro
     for (auto &[place, instances] : functions_)
       for (Function const &function : instances)
         for (BranchCount branch : function.branches) {
@@ -182,7 +182,7 @@ private:
     std::vector<BranchCount> branches;
   };
 
-  // What was entered before the kernel began, and is counted by its entry, is entered in each sample.
+  // Adds one entry per sample to the counters of regions that were entered before the kernel began.
   void enter(CoverageMappingRecord const &record, Counts &counts) const {
     std::set<unsigned> entered;
     unsigned const line = lines_.first + lines_before;
@@ -204,7 +204,7 @@ private:
     return static_cast<std::uint64_t>(std::max<std::int64_t>(*found, 0));
   }
 
-  // Where the region stands, or the use of the macro that has it.
+  // The region, or the use of the macro that contains it.
   static CounterMappingRegion const &outermost(CoverageMappingRecord const &record,
                                                CounterMappingRegion const &region) {
     CounterMappingRegion const *seen = &region;
@@ -218,7 +218,7 @@ private:
     return *seen;
   }
 
-  // Nothing for what stands outside of the roots, and for what only annotations have.
+  // The branch with its source text; nullopt outside the roots and in annotations.
   std::optional<BranchCount> named(std::string const &path, CounterMappingRegion const &region) const {
     auto const file = std::ranges::find(annotated_.files, path, &rewrite::File::path);
     if (file == annotated_.files.end() || region.LineStart <= lines_before) return {};
@@ -240,7 +240,7 @@ private:
   Lines const lines_;
   std::string const innermost_;
   std::uint64_t const samples_;
-  std::map<std::pair<std::string, std::pair<unsigned, unsigned>>, std::vector<Function>> functions_; // by their place
+  std::map<std::pair<std::string, std::pair<unsigned, unsigned>>, std::vector<Function>> functions_; // by place
 };
 
 } // namespace
@@ -264,7 +264,7 @@ BranchResult read_branches(CoveredRun const &run, rewrite::Result const &annotat
         else
           failure = llvm::toString(record.takeError());
   };
-  // What the annotations call runs as well, and stands in another file.
+  // Functions in other files, which annotations call, are skipped.
   for_each([&](CoverageMappingRecord const &record) {
     auto const found = std::ranges::find(running, linker_name(record.FunctionName));
     if (found == running.end() || record.Filenames.empty()) return;

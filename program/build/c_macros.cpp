@@ -21,7 +21,7 @@ constexpr std::string_view mark = "symreal_asks_";
 
 std::string renamed(std::string const &name) { return "symreal_c_" + name; }
 
-// What is no macro, changes from place to place, means the same in both, or is Symreal's own.
+// Names exempt from renaming: not a macro, context-dependent, the same in both languages, or Symreal's own.
 bool is_exempt(std::string const &name) {
   static Names const names = {"NULL",          "defined",    "__COUNTER__", "__LINE__",      "__FILE__",
                               "__BASE_FILE__", "__DATE__",   "__TIME__",    "__TIMESTAMP__", "__INCLUDE_LEVEL__",
@@ -32,7 +32,7 @@ bool is_exempt(std::string const &name) {
          name.starts_with("REAL_") || name.starts_with("symreal_") || name.starts_with("__has_");
 }
 
-// The names that the directives of the files ask about, those in macros that they use among them.
+// Names that the files' directives ask about, including those in macros that they use.
 class Questions {
 public:
   explicit Questions(std::vector<rewrite::File> const &files) {
@@ -44,7 +44,7 @@ public:
             within_[directive.identifiers.front().text].insert(word.text);
   }
 
-  // A copy of the file in which each question has its answer printed before it.
+  // A copy of the file that prints the answer to each question before it.
   std::string asking(std::string const &text, std::size_t file, Names const &apart) {
     std::string result = fmt::format("?"
                                      "?=define symreal_trigraphs\n#ifdef symreal_trigraphs\n{0}trigraphs\n#endif\n"
@@ -85,7 +85,7 @@ public:
   }
 
   std::string const &name(std::size_t number) const { return names_[number]; }
-  // Where the file first asks about it.
+  // Line where the file first asks about the name.
   unsigned line(std::pair<std::size_t, std::string> const &where) const { return lines_.at(where); }
   bool empty() const {
     return std::none_of(read_.begin(), read_.end(), [](Directives const &one) {
@@ -107,7 +107,7 @@ private:
       for (std::string const &inner : found->second) add(inner, names);
   }
 
-  // By the directive and by the #elif that belong to it.
+  // Names that a directive and its #elif branches ask about.
   Names asked(std::vector<Directive> const &all, std::size_t first) const {
     Names names;
     int depth = 0;
@@ -124,13 +124,13 @@ private:
   }
 
   std::vector<Directives> read_;
-  std::map<std::string, Names> within_; // by macro, the words of its definitions
+  std::map<std::string, Names> within_; // words of a macro's definitions, by macro
   std::map<std::pair<std::size_t, std::string>, unsigned> lines_;
   std::map<std::string, std::size_t> numbers_;
   std::vector<std::string> names_;
 };
 
-// Undefined, or what the macro expands to.
+// Expansion of the macro; nullopt if it is undefined.
 using Answer = std::optional<std::string>;
 
 struct Answers {
@@ -172,13 +172,13 @@ bool is_integer(std::string const &text) {
          text.find_first_not_of("0123456789abcdefABCDEFxXuUlL") == text.npos;
 }
 
-// Defined in one and not in the other, or as another number.
+// Is the name defined in one language only, or as another number?
 bool differ(Answer const &c, Answer const &cpp) {
   if (c.has_value() != cpp.has_value()) return true;
   return c && *c != *cpp && is_integer(*c);
 }
 
-// A copy of the sources that tells what it is asked.
+// A copy of the sources that prints the answers to their questions.
 class Inquiry {
 public:
   Inquiry(rewrite::Result const &rewritten, std::vector<rewrite::Compilation> const &sources, Words const &compiler,
@@ -195,7 +195,7 @@ public:
     in_parallel(sources.size(), at_a_time, [&](std::size_t i) { c_[i] = ask_in_c(sources[i]); });
   }
 
-  // The names about which the two disagree, until they agree about all of them.
+  // Names that the two languages answer differently, iterated until no further answers differ.
   Names differences() {
     Names apart;
     if (questions_.empty()) return apart;
@@ -217,7 +217,7 @@ public:
     return files;
   }
 
-  // Of a source in C.
+  // Flags of a source in C.
   Words flags(std::size_t source, Names const &apart) const {
     Words words = {"-DSYMREAL_SOURCE_OF_C"};
     if (c_[source].has_trigraphs) words.emplace_back("-trigraphs");
@@ -227,7 +227,7 @@ public:
     return words;
   }
 
-  // Of one in C++, which reads headers of those in C: what C++ says.
+  // Flags of a source in C++, which may include C headers: the answers of C++.
   Words flags_of_cpp(Names const &apart) const {
     Words words;
     for (std::string const &name : apart)
@@ -303,7 +303,7 @@ private:
   Workspace const &workspace_;
   Questions questions_;
   std::unique_ptr<Overlay> copy_;
-  std::vector<Answers> c_, cpp_, first_; // by source; first_: before anything is renamed
+  std::vector<Answers> c_, cpp_, first_; // by source; first_: before any renaming
 };
 
 void rename(rewrite::File &file, Names const &apart) {
@@ -316,9 +316,9 @@ void rename(rewrite::File &file, Names const &apart) {
     if (edit == file.edits.end() || edit->offset >= word.end)
       edits.push_back({word.begin, word.end - word.begin, renamed(word.text)});
     else if (edit->offset <= word.begin && edit->offset + edit->length >= word.end)
-      continue; // with the edit, below
+      continue; // handled with the edit, below
     else {
-      // Text goes in front of its first character, behind its last, or both: one edit for the word.
+      // Insertions before the word's first character and behind its last merge into one edit.
       std::string text;
       std::size_t at = word.begin;
       for (; edit != file.edits.end() && edit->offset < word.end; ++edit) {

@@ -22,25 +22,25 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view prefix = "llvmcache-"; // what llvm::pruneCache takes for an entry
+constexpr std::string_view prefix = "llvmcache-"; // prefix of the entries that llvm::pruneCache manages
 constexpr char const *file_kind = ".file", *text_kind = ".text";
 
 void mark_used(std::string const &entry) { utimensat(AT_FDCWD, entry.c_str(), nullptr, 0); }
 
-// The head of an entry. The key counts, since an entry under another name is as wrong as another content.
+// Hash at the head of an entry. It covers the key, since an entry under another key is as wrong as other content.
 std::string hash_of(std::string_view key, std::string_view text) {
   return content_id(std::string(key) + '\0' + std::string(text));
 }
 
-// A precompiled header has tens of megabytes, which are read piece by piece into the same memory.
+// Precompiled headers take tens of megabytes, so files are read piecewise into one buffer.
 constexpr std::size_t piece_size = std::size_t{1} << 20;
 
 struct Read {
   bool exists = true;
-  bool is_whole = false; // it is of this user, and all of it was read
+  bool is_whole = false; // owned by this user and read completely
 };
 
-// Opens nothing else than a file of this user, and waits for nothing. `use`: is called with each piece.
+// Reads an entry if it is a regular file of this user; never blocks. Calls `use` with each piece.
 template <class Use> Read read_entry(std::string const &path, Use use) {
   int const descriptor = open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
   if (descriptor < 0) return {errno != ENOENT && errno != ENOTDIR, false};
@@ -62,7 +62,7 @@ template <class Use> Read read_entry(std::string const &path, Use use) {
   return {true, good};
 }
 
-// The name by which the contents of a file are known.
+// Hash of a file's contents.
 class FileId {
 public:
   void add(std::string_view piece) { of_pieces_ += content_id(piece); }
@@ -72,7 +72,7 @@ private:
   std::string of_pieces_;
 };
 
-// A file that is made, and must not be there before.
+// A file that is created and must not exist before.
 class NewFile {
 public:
   explicit NewFile(std::string const &path)
@@ -83,7 +83,7 @@ public:
   NewFile &operator=(NewFile const &) = delete;
 
   void add(std::string_view text) { good_ = good_ && write_whole(descriptor_, text.data(), text.size()); }
-  // Whether all of it was written.
+  // Closes the file; false if not all of it was written.
   bool end() {
     if (descriptor_ >= 0) good_ = close(std::exchange(descriptor_, -1)) == 0 && good_;
     return good_;
@@ -110,7 +110,7 @@ std::string CacheDirectory::temporary() {
   return entry(fmt::format("new.{}.{}", getpid(), added_++), "");
 }
 
-// A cache that cannot be written is none.
+// Moves an entry into place; a cache that cannot be written is ignored.
 bool CacheDirectory::place(std::string const &temporary, bool is_written, std::string const &entry) {
   std::error_code error;
   if (is_written && fs::is_directory(fs::symlink_status(entry, error))) rmdir(entry.c_str());
@@ -147,7 +147,7 @@ void CacheDirectory::keep(std::string const &key, std::string const &text) {
   place(made, file.end(), entry(key, text_kind));
 }
 
-// The id of a file is the name of its entry, and a text under the key says it.
+// A file entry is named by its content id, which a text entry under the key holds.
 template <class Use> std::optional<std::string> CacheDirectory::find_file(std::string const &key, Use use) {
   std::optional<std::string> const id = find(key);
   if (!id) return {};
@@ -185,7 +185,7 @@ bool CacheDirectory::link_file(std::string const &key, std::string const &to) {
   if (!found) return false;
   std::error_code error;
   fs::create_hard_link(*found, to, error);
-  if (error) fs::create_symlink(fs::absolute(*found), to, error); // as on another disk
+  if (error) fs::create_symlink(fs::absolute(*found), to, error); // a hard link fails across disks
   return !error;
 }
 
@@ -204,11 +204,11 @@ void CacheDirectory::keep_file(std::string const &key, std::string const &file) 
 CacheDirectory::~CacheDirectory() {
   std::error_code error;
   if (added_ == 0 || !fs::is_directory(path_, error)) return;
-  // llvm::pruneCache would wait for a pipe of this name.
+  // A named pipe in place of this file would block llvm::pruneCache.
   fs::file_status const stamp = fs::symlink_status(path_ + "/llvmcache.timestamp", error);
   if (fs::exists(stamp) && !fs::is_regular_file(stamp)) return;
   llvm::CachePruningPolicy policy;
-  policy.Interval = std::chrono::minutes(1); // a run looks at each entry, which takes it longer than a link does
+  policy.Interval = std::chrono::minutes(1); // pruning visits each entry, which takes longer than a link step
   policy.Expiration = std::chrono::hours(24 * 30);
   policy.MaxSizePercentageOfAvailableSpace = 10;
   policy.MaxSizeBytes = most_bytes_;

@@ -1,4 +1,4 @@
-// A directory of files that are kept from run to run, each under a key that says all that it was made from.
+// A cache directory that persists across runs: each entry is kept under a key derived from all its inputs.
 #pragma once
 
 #include "rewrite/rewrite.h"
@@ -12,15 +12,14 @@
 
 namespace symreal::program {
 
-// Several threads and processes may use one directory: an entry is there as a whole or not at all. Each carries a hash
-// of its content, which is compared whenever it is read; one that is damaged, or that is anything but a regular file of
-// this user, is told of and not found.
+// Threads and processes may share a directory: an entry is present as a whole or absent. Each carries a hash of its
+// content, checked at every read; a damaged entry, or one that is not a regular file of this user, is reported and
+// treated as absent.
 class CacheDirectory : public rewrite::KeptTexts {
 public:
-  // The directory is made when it is needed; empty: there is none, and nothing is kept or found.
-  // In the end, if something was added and no run has done so in the last minute, what was not used for long is
-  // removed, until the rest has at most so many bytes.
-  // `damaged` is called with the path of what is damaged, by several threads.
+  // The directory is created on demand; an empty path disables the cache. The destructor removes entries that have not
+  // been used for long, down to `most_bytes`, if something was added and no run has pruned within the last minute.
+  // Several threads call `damaged` with the paths of damaged entries.
   explicit CacheDirectory(std::string path, std::function<void(std::string const &)> damaged = {},
                           std::uint64_t most_bytes = std::uint64_t{2} << 30)
       : path_(std::move(path)),
@@ -32,23 +31,22 @@ public:
 
   bool exists() const { return !path_.empty(); }
 
-  // Texts.
+  // Text entries.
   std::optional<std::string> find(std::string const &key) override;
   void keep(std::string const &key, std::string const &text) override;
 
-  // Copies the file that is kept under the key; false: there is none.
+  // Copies the file kept under the key; false if the key has no entry.
   bool take_file(std::string const &key, std::string const &to);
-  // The same for what is only read, and need not be there as long as `to` is: it is not copied.
+  // Links `to` to the file instead of copying it; for files that are only read and may vanish with their entry.
   bool link_file(std::string const &key, std::string const &to);
   void keep_file(std::string const &key, std::string const &file);
 
 private:
   std::string entry(std::string const &key, char const *kind) const;
   void tell_damaged(std::string const &entry) const;
-  std::string temporary(); // a path at which an entry can be written
+  std::string temporary(); // a path to write an entry at
   bool place(std::string const &temporary, bool is_written, std::string const &entry);
-  // The path of the file that is kept under the key, if it has the content that it had. `use`: is called with each
-  // piece.
+  // Path of the file kept under the key, if its content is intact; calls `use` with each piece.
   template <class Use> std::optional<std::string> find_file(std::string const &key, Use use);
 
   std::string path_;
@@ -57,7 +55,7 @@ private:
   std::atomic<std::size_t> added_ = 0;
 };
 
-// Of this user: $XDG_CACHE_HOME/symreal or ~/.cache/symreal; empty where there is neither.
+// Cache directory of this user: $XDG_CACHE_HOME/symreal or ~/.cache/symreal; empty without a home directory.
 std::string usual_cache_directory();
 
 struct CacheContents {
@@ -66,7 +64,7 @@ struct CacheContents {
 };
 CacheContents cache_contents(std::string const &directory);
 
-// Removes all of it, and says what that was.
+// Removes all entries and returns what was removed.
 CacheContents clear_cache(std::string const &directory);
 
 } // namespace symreal::program

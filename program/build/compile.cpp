@@ -44,7 +44,7 @@ using Words = std::vector<std::string>;
 
 void append(Words &words, Words const &more) { words.insert(words.end(), more.begin(), more.end()); }
 
-// The reference build of docs/reference/floating-point.md, with debug information for places: lines and inlined calls.
+// Flags of the reference build (docs/reference/floating-point.md), with debug information: lines and inlined calls.
 Words const reference_flags = {
     "-O1",          "-g1",           "-ffp-contract=off", "-fno-tree-vectorize", "-fno-tree-slp-vectorize",
     "-fno-builtin", "-fno-fast-math"};
@@ -55,11 +55,11 @@ void append_reference(Words &words) {
   append(words, defines);
 }
 
-// An operation on a node raises FE_INVALID, which is how leaks are found: none may be executed before it is known that
-// its operands are ordinary. gcc does as much by default, clang when told.
+// Leaks are found because an operation on a node raises FE_INVALID: none may execute speculatively. gcc guarantees that
+// by default, clang with this flag.
 constexpr char const *no_speculation = "-ftrapping-math";
 
-// Counters stand in memory whenever the kernel begins or ends, and each function of the source is one of the program.
+// Counters must be in memory whenever the kernel begins or ends, and each source function must exist in the program.
 Words const coverage_flags = {"-fprofile-instr-generate", "-fcoverage-mapping", "-mllvm", "-do-counter-promotion=false",
                               "-fno-inline"};
 
@@ -81,7 +81,7 @@ Command compiler_run(Words words, std::string const &directory) {
   return {.arguments = std::move(words), .directory = directory, .environment = {"LC_ALL=C", "GCC_COLORS="}};
 }
 
-// The last one counts; empty where none is named.
+// The last standard among the flags; empty if none is given.
 static std::string named_standard(Words const &flags) {
   std::string standard;
   for (DriverOption const &option : rewrite::driver_options(flags))
@@ -103,7 +103,7 @@ Words language_flags(Words const &flags, bool is_c, std::string const &compiler)
   if (is_c || !is_cxx20(standard)) words.emplace_back("-fno-char8_t");
   if (!is_c && !is_cxx20(standard)) words.emplace_back("-DSYMREAL_BEFORE_CXX20"); // for allocator.h
   if (compiler.find("clang") != compiler.npos) return words;
-  constexpr char const *arguments_first = "-DSYMREAL_ARGUMENTS_FIRST"; // before what is called (text.h)
+  constexpr char const *arguments_first = "-DSYMREAL_ARGUMENTS_FIRST"; // evaluated before the callee (text.h)
   if (is_c) append(words, {"-fno-strong-eval-order", arguments_first});
   if (is_c) return words;
   if (ends_with_one_of(standard, {"++98", "++03", "++0x", "++11", "++1y", "++14"}))
@@ -132,7 +132,7 @@ namespace {
 
 bool is_before_c99(Words const &flags) { return ends_with_one_of(named_standard(flags), {"89", "90", "199409"}); }
 
-// Each function and variable by itself, so that the linker can leave it out.
+// Puts each function and variable into its own section, so that the linker can drop it.
 void cut_up(BuildRequest const &request, Words &words) {
   if (request.reachable) append(words, {"-ffunction-sections", "-fdata-sections"});
 }
@@ -142,7 +142,7 @@ void cut_up(BuildRequest const &request, Words &words) {
 Words rewritten_compilation(BuildRequest const &request, Variant variant, Overlay const &overlay,
                             rewrite::Compilation const &source, std::string const &object) {
   Words words = {request.compiler};
-  append(words, rewrite::type_name_flags(request.type_name)); // a header that the flags include is rewritten, too
+  append(words, rewrite::type_name_flags(request.type_name)); // headers that the flags include are rewritten, too
   append(words, overlay.search_flags(variant_flags(source.flags, variant), source.directory));
   append(words, language_flags(source.flags, is_c(source), request.compiler));
   if (is_c(source) && is_before_c99(source.flags)) words.emplace_back("-DSYMREAL_BEFORE_C99");
@@ -169,7 +169,7 @@ Words original_command(BuildRequest const &request, Variant variant, Overlay con
     append_reference(flags);
   if (is_covered) append(flags, coverage_flags);
   append(words, overlay.search_flags(flags, source.directory));
-  if (c) append(words, {"-Dregister="}); // annotations take addresses
+  if (c) append(words, {"-Dregister="}); // annotations take addresses, which `register` forbids
   cut_up(request, words);
   append(words, {"-w", "-x", c ? "c" : "c++", "-c"});
   append(words, {overlay.compiled_path(rewrite::real_source(source)), "-o", object});
@@ -184,12 +184,12 @@ Words unchanged_command(BuildRequest const &request, rewrite::Compilation const 
   return words;
 }
 
-// -l, -L and -Wl, among the compiler flags are meant for the linker too.
+// Does the compiler flag also concern the linker (-l, -L, -Wl, ...)?
 bool is_for_linker(DriverOption const &option) {
   return option.about == About::linking || option.about == About::openmp || option.about == About::sanitizers;
 }
 
-// Those among the compiler flags of all sources that the linker must have, each once.
+// Compiler flags of all sources that the linker needs, without duplicates.
 Words linker_flags(BuildRequest const &request) {
   Words words;
   std::set<std::string> known;
@@ -208,7 +208,7 @@ Words link_command(BuildRequest const &request, Variant variant, Words const &ob
   Words const own = linker_flags(request);
   if (variant != Variant::replay && !brings_allocator(own)) words.emplace_back("-Wl,-u,symreal_heap_hooks");
   if (variant == Variant::original || variant == Variant::wrapped ||
-      variant == Variant::covered) { // generated code in it calls its functions
+      variant == Variant::covered) { // generated code that it loads calls its functions
     if (!request.reachable)
       words.emplace_back("-rdynamic");
     else
@@ -231,14 +231,14 @@ template <class Run> std::vector<Captured> run_all(std::vector<Command> const &c
   return results;
 }
 
-// And with operations on numbers that are calls alone, without the decision whether there is something to record.
+// Switches optimisation off and makes each operation on numbers a plain call, without the inline test for recording.
 Words without_optimisation(Words words) {
   std::ranges::replace(words, "-O1", "-O0");
   words.insert(words.begin() + 1, "-DSYMREAL_CALLED_OPERATORS");
   return words;
 }
 
-// The source as it stands.
+// Command that compiles the source unchanged.
 Words plain_command(BuildRequest const &request, rewrite::Compilation const &source, std::string const &object) {
   Words words = {is_c(source) ? request.c_compiler : request.compiler};
   append(words, c_flags(source.flags));
@@ -262,7 +262,7 @@ BoundedCompilation bounded(BuildRequest const &request, rewrite::Compilation con
   return all;
 }
 
-// A hash of all that decides how long the compiler takes.
+// Cache key: hash of everything that affects the compilation time.
 std::string bounded_key(Command const &command, std::string const &workspace) {
   std::string text = "bounded " + read_file(command.arguments[position_after(command.arguments, "-c")]);
   for (std::string const &word : command.arguments)
@@ -270,12 +270,12 @@ std::string bounded_key(Command const &command, std::string const &workspace) {
   return content_id(text);
 }
 
-// A compiler, or what stands in its place.
+// Notes a compiler, or a wrapper around one, as read.
 void note_program(std::string const &name) {
   if (auto const path = llvm::sys::findProgramByName(name)) note_read(*path);
 }
 
-// Files and libraries among the words of a linker.
+// Notes files and libraries among the linker's arguments as read.
 void note_linked(Words const &words) {
   Words directories;
   for (std::size_t i = 0; i < words.size(); ++i) {

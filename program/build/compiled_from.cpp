@@ -35,7 +35,7 @@ std::optional<std::string> text_of(std::string const &path) {
   return buffer ? std::optional((*buffer)->getBuffer().str()) : std::nullopt;
 }
 
-// Numbers texts in the order in which they come.
+// Numbers texts in order of first occurrence.
 class Numbered {
 public:
   explicit Numbered(std::vector<std::string> &all) : all_(all) {}
@@ -50,8 +50,8 @@ private:
   std::map<std::string, std::size_t> numbers_;
 };
 
-// Where a compiler looks for a name: beside the text that includes it, if it is quoted, and in all directories that it
-// searches. It stops where it finds it, which #include_next does not; so all of them count.
+// Records where a compiler looks for a name: beside the including text, if quoted, and in all search directories, since
+// #include_next continues past the first match.
 class Search {
 public:
   Search(CompiledFrom &result, std::string const &base, std::vector<std::string> const &directories,
@@ -145,7 +145,7 @@ std::optional<CompiledFrom> compiled_from(Command const &compilation, std::vecto
     macros.insert(inclusions->macros.begin(), inclusions->macros.end());
     texts.push_back(std::move(*text));
   }
-  // An inclusion by a macro that nothing defines is not compiled.
+  // An inclusion by a macro is ignored if nothing defines the macro.
   for (std::string const &macro : macros) {
     auto const names_it = [&](std::string const &word) { return word.find(macro) != word.npos; };
     auto const defines_it = [&](std::string const &text) { return defines(text, macro); };

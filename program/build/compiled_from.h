@@ -1,4 +1,4 @@
-// What a compilation has read, and where it may have looked for it in vain.
+// Inputs of a compilation: the files that it read, and the places where it looked for a file in vain.
 #pragma once
 
 #include "program/build/process.h"
@@ -11,10 +11,10 @@
 
 namespace symreal::program {
 
-// As the files are now: each is read once in a run. Several threads.
+// Current contents of files, each read once a run. Thread-safe.
 class FilesNow {
 public:
-  std::string const &content_id(std::string const &path); // empty: there is no such file
+  std::string const &content_id(std::string const &path); // empty if the file does not exist
   bool exists(std::string const &path);
 
 private:
@@ -23,25 +23,25 @@ private:
   std::map<std::string, bool> exist_;
 };
 
-// What the contents of a text are known by.
+// Identifier of a text's contents: a hash.
 std::string content_id(std::string_view text);
 
-// Paths below the workspace of a run begin with "@" instead.
+// Inputs of one compilation. Paths below the run's workspace begin with "@" instead.
 struct CompiledFrom {
-  std::map<std::string, std::string> files; // by path: the id of the contents
+  std::map<std::string, std::string> files; // content id by path
   std::vector<std::string> directories, names;
-  std::vector<std::pair<std::size_t, std::size_t>> absent; // a name in a directory, each by its number
+  std::vector<std::pair<std::size_t, std::size_t>> absent; // indices of a directory and of a name in it
 
   bool still_holds(FilesNow &now, std::string const &workspace) const;
 };
 
-// `files`: those that the compiler has read, as it names them. `messages`: what it says under -v. Nothing where it
-// cannot be told what the texts include.
+// `files`: files that the compiler has read, as it names them. `messages`: its output under -v. Nullopt if the texts'
+// inclusions cannot be determined.
 std::optional<CompiledFrom> compiled_from(Command const &compilation, std::vector<std::string> const &files,
                                           std::string_view messages, std::string const &workspace);
 
 std::string to_bytes(CompiledFrom from, std::string object);
-// Nothing where the bytes are not those.
+// Nullopt if the bytes are malformed.
 std::optional<std::pair<CompiledFrom, std::string>> compiled_from_bytes(std::string_view bytes);
 
 } // namespace symreal::program

@@ -20,16 +20,16 @@ std::vector<std::string> lines_of(std::string const &output) {
   return lines;
 }
 
-// A line of the output, with the place that the user has.
+// A line of the output, with its place in the user's source.
 struct Line {
-  std::optional<MessageLine> message; // none without a line's number
+  std::optional<MessageLine> message; // nullopt if the line names no line number
 
   std::optional<std::string> error() const {
     if (!message) return {};
     std::optional<std::string> text = message->text("error");
     return text ? text : message->text("fatal error");
   }
-  // What it says besides errors, where that begins so.
+  // The message, if it is not an error and begins with one of these texts.
   std::optional<Note> says(std::initializer_list<std::string_view> beginnings, bool is_note) const {
     if (!message) return {};
     std::string const text = is_note ? message->text("note").value_or("") : message->text();
@@ -48,14 +48,14 @@ std::vector<Line> read_lines(std::vector<std::string> const &lines, Overlay cons
   return read;
 }
 
-// The lines that belong to the error in line `at` stand before the next one.
+// Lines that belong to the error in line `at`: up to the next error.
 std::span<Line const> behind(std::vector<Line> const &lines, std::size_t at) {
   std::size_t end = at + 1;
   while (end < lines.size() && !lines[end].error()) ++end;
   return std::span(lines).subspan(at + 1, end - at - 1);
 }
 
-// The last line of the user's own before `end` that says from where a template was instantiated.
+// The last line before `end` that names an instantiation of a template in the user's source.
 std::optional<Note> instantiation(std::vector<Line> const &lines, std::size_t end, Overlay const &overlay) {
   for (std::size_t i = end; i-- > 0 && end - i < 40;)
     if (auto note = lines[i].says({"required from", "in instantiation of"}, false);
@@ -64,7 +64,7 @@ std::optional<Note> instantiation(std::vector<Line> const &lines, std::size_t en
   return {};
 }
 
-// In which instantiation the error in line `at` stands: gcc says so before it, clang after it.
+// Template instantiations that enclose the error in line `at`: gcc lists them before it, clang after it.
 std::vector<Note> instantiations(std::vector<Line> const &lines, std::size_t at) {
   std::vector<Note> notes;
   for (std::size_t i = at; i-- > 0 && notes.size() < most_notes;) {
@@ -78,7 +78,7 @@ std::vector<Note> instantiations(std::vector<Line> const &lines, std::size_t at)
   return notes;
 }
 
-// The last line of the user's own behind the error that says which macro it stands in: ours stand in a header.
+// The last line after the error that names an enclosing macro of the user's; Symreal's macros stand in a header.
 std::optional<Note> expansion(std::vector<Line> const &lines, std::size_t at, Overlay const &overlay) {
   std::optional<Note> last;
   for (Line const &line : behind(lines, at))
@@ -140,7 +140,7 @@ Diagnostic compiler_failure(std::vector<std::string> const &command, Captured co
   return diagnostic;
 }
 
-// With debug information the linker names the source: [LINKER: ]FILE:LINE: undefined reference to `...'
+// Parses [LINKER: ]FILE:LINE: undefined reference to `...', which linkers print if there is debug information.
 Diagnostic linker_failure(std::vector<std::string> const &command, Captured const &result, Overlay const &overlay) {
   if (auto missing = did_not_start(command, result)) return *missing;
   constexpr std::string_view undefined = "undefined reference to ";

@@ -1,4 +1,4 @@
-// What a host compiler or linker printed, as a diagnostic on the user's source.
+// Diagnostics on the user's sources from the output of a host compiler or linker.
 #pragma once
 
 #include "program/build/overlay.h"
@@ -6,7 +6,7 @@
 
 namespace symreal::program {
 
-// `command` is what was run; its output and end say why it failed. `mode`: of the program that did not compile.
+// `command`: the failed command, whose output and exit status explain the failure. `mode`: mode of the program.
 Diagnostic compiler_failure(std::vector<std::string> const &command, Captured const &result, Overlay const &overlay,
                             std::string const &mode = "in symbolic mode");
 Diagnostic linker_failure(std::vector<std::string> const &command, Captured const &result, Overlay const &overlay);

@@ -75,7 +75,7 @@ private:
     found_.identifiers.push_back(std::move(word));
   }
 
-  // Ends with its line at the latest: an apostrophe may stand alone in text that is skipped.
+  // A literal ends with its line at the latest: text that is skipped may have a lone apostrophe.
   void literal(char end) {
     for (++at_; at_ < text_.size() && text_[at_] != '\n'; ++at_) {
       if (text_[at_] == '\\')

@@ -1,4 +1,4 @@
-// The text of a source of C or C++ as its preprocessor sees it, as far as that can be told without running it.
+// Preprocessing directives and identifiers of a C or C++ source, as far as they are determined without preprocessing.
 #pragma once
 
 #include <cstddef>
@@ -7,21 +7,21 @@
 
 namespace symreal::program {
 
-// A word of the source outside of comments and literals.
+// An identifier outside comments and literals.
 struct Identifier {
   std::size_t begin, end;
   std::string text;
 };
 
 struct Directive {
-  std::size_t begin;   // the number sign
+  std::size_t begin;   // offset of the number sign
   std::string keyword; // define, if, ...
   std::vector<Identifier> identifiers;
 };
 
 struct Directives {
   std::vector<Directive> directives;
-  std::vector<Identifier> identifiers; // of the whole text, but for names of files that are included
+  std::vector<Identifier> identifiers; // of the whole text, except names of included files
 };
 
 Directives read_directives(std::string const &text);

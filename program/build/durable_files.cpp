@@ -21,18 +21,18 @@ namespace {
   fail(DiagnosticId::unwritable_output, {path}, "cannot write '" + path + "': " + std::strerror(reason));
 }
 
-// The directory knows about its files only then.
+// Syncs the directory, without which a new or renamed file may be lost.
 void sync_directory_of(std::string const &path) {
   std::string const directory = std::filesystem::path(path).parent_path().string();
   int const descriptor = open(directory.empty() ? "." : directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (descriptor < 0) give_up(directory, errno);
-  // Some file systems cannot sync a directory; they have nothing to sync there.
+  // Ignores EINVAL: some file systems neither support nor need syncing a directory.
   int const reason = fsync(descriptor) != 0 && errno != EINVAL ? errno : 0;
   close(descriptor);
   if (reason != 0) give_up(directory, reason);
 }
 
-// Writes all of it and closes the file; 0, or the errno that says why it is not on the disk.
+// Writes the text and closes the file. Returns 0, or the errno of the failure.
 int written(int descriptor, std::string const &text, unsigned permissions) {
   int reason = write_whole(descriptor, text.data(), text.size()) ? 0 : errno;
   if (reason == 0 && (fchmod(descriptor, permissions) != 0 || fsync(descriptor) != 0)) reason = errno;
@@ -91,7 +91,7 @@ std::string StagedFiles::add_directory(std::string const &path) {
   return temporary;
 }
 
-// A file system without hard links keeps no second name of what it replaces, and what was there is not given back.
+// Without hard links on the file system, the replaced file is not kept and cannot be restored.
 void StagedFiles::take_place(Step &step) {
   struct stat there{};
   std::string const old = step.temporary + "~";

@@ -11,14 +11,14 @@ using Words = std::vector<std::string>;
 
 namespace {
 
-// The headers of symbolic mode need C++20; older standards of the user give way.
+// Raises an older standard to C++20, which the headers of symbolic mode need.
 std::string symbolic_standard(std::string_view value) {
   for (std::string_view newer : {"++20", "++2a", "++23", "++2b", "++26", "++2c"})
     if (value.ends_with(newer)) return std::string(value);
   return value.starts_with("gnu") ? "gnu++20" : "c++20";
 }
 
-// The annotations need C++11.
+// Raises C++98 and C++03 to C++11, which the annotations need.
 std::string annotated_standard(std::string const &value) {
   bool const old = value.ends_with("++98") || value.ends_with("++03");
   return old ? value.substr(0, value.size() - 2) + "11" : value;
@@ -33,8 +33,8 @@ Words flags_of_numbers(Words const &flags) {
   return found;
 }
 
-// A kernel is recorded by one thread, and its objects are compiled one by one; the outputs are ours; rewritten text is
-// not what warnings are for.
+// Drops OpenMP, as one thread records a kernel; LTO, as objects are compiled separately; outputs, which the tool
+// chooses; and warnings.
 Words unchanged_flags(Words const &flags) {
   return rewrite::without(flags, {About::openmp, About::link_time, About::warnings, About::action, About::output,
                                   About::dependencies, About::question});

@@ -18,10 +18,10 @@ double seconds_of(fs::path const &process) {
   std::ifstream in(process / "stat");
   std::string line;
   std::getline(in, line);
-  std::size_t const name_end = line.rfind(')'); // the name of the program may have blanks
+  std::size_t const name_end = line.rfind(')'); // the program's name may contain blanks
   if (name_end == line.npos) return 0;
   std::istringstream rest(line.substr(name_end + 1));
-  constexpr int before = 11; // from the state on
+  constexpr int before = 11; // fields between the name and the times
   std::string passed;
   for (int i = 0; i < before; ++i) rest >> passed;
   double ticks = 0;

@@ -1,5 +1,5 @@
-// The processor time and memory that a group of processes has taken so far, its ended processes included where another
-// one of the group has waited for them. Read from /proc.
+// Processor time and memory used by a process group, including ended processes that another one of the group has waited
+// for. Read from /proc.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@ namespace symreal::program {
 
 struct GroupUse {
   double seconds = 0;
-  std::size_t most_memory = 0; // in bytes, of the largest of them
+  std::size_t most_memory = 0; // in bytes, of the largest process
 };
 
 GroupUse use_of_group(pid_t group);

@@ -16,7 +16,7 @@ bool take(std::string_view &text, std::string_view word) {
   return true;
 }
 
-// <name> or "name" at the beginning.
+// Parses <name> or "name" at the beginning.
 std::optional<Inclusion> name_at(std::string_view text) {
   if (text.empty() || (text[0] != '<' && text[0] != '"')) return {};
   std::size_t const end = text.find(text[0] == '<' ? '>' : '"', 1);
@@ -30,20 +30,20 @@ std::string_view word_at(std::string_view text) {
   return text.substr(0, static_cast<std::size_t>(std::find_if_not(text.begin(), text.end(), is_word) - text.begin()));
 }
 
-// May a directive stand behind this text? Blanks and a comment may stand before one.
+// May a directive follow this text? Blanks and a comment may precede one.
 bool begins_line(std::string_view before) {
   std::size_t const last = before.find_last_not_of(" \t\f\v\r");
   return last == before.npos || before[last] == '\n' || before.substr(0, last + 1).ends_with("*/");
 }
 
-// What follows the `#` of a directive. False: it includes something that cannot be told.
+// Parses what follows the `#` of a directive. False if an inclusion cannot be determined.
 bool add_directive(std::string_view rest, Inclusions &all) {
   rest = without_blanks(rest);
-  if (rest.starts_with('\\') || rest.starts_with("/*")) return false; // its word may stand anywhere
+  if (rest.starts_with('\\') || rest.starts_with("/*")) return false; // the keyword follows a line splice or comment
   if (!take(rest, "include_next") && !take(rest, "include") && !take(rest, "import") && !take(rest, "embed"))
     return true;
   std::string_view const operand = without_blanks(rest);
-  constexpr std::string_view begins = "<\"\\/"; // or a word: anything else is prose in a comment, or an error
+  constexpr std::string_view begins = "<\"\\/"; // or a word; anything else is prose in a comment, or an error
   if (operand.empty() || (!is_word(operand[0]) && begins.find(operand[0]) == begins.npos)) return true;
   auto const found = name_at(operand);
   if (found) all.names.push_back(*found);
@@ -53,7 +53,7 @@ bool add_directive(std::string_view rest, Inclusions &all) {
   return found || is_macro;
 }
 
-// A question, `__has_include(<name>)`. The word alone asks whether there is such a thing.
+// Parses `__has_include(<name>)`. The bare word asks whether the operator exists.
 bool add_question(std::string_view rest, Inclusions &all) {
   take(rest, "_next");
   rest = without_blanks(rest);
@@ -64,7 +64,7 @@ bool add_question(std::string_view rest, Inclusions &all) {
   return found.has_value();
 }
 
-// False: one of them cannot be told.
+// False if one of the questions cannot be determined.
 bool add_questions(std::string_view text, Inclusions &all) {
   constexpr std::string_view question = "__has_include";
   bool are_told = true;

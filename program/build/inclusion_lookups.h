@@ -1,8 +1,7 @@
-// Where a compiler may look for what a text includes.
+// Include lookups of a text: the names and directories that a compiler may search.
 //
-// A compiler lists the files that it has read, and not where it has looked for them in vain: a header that comes to lie
-// there would be read instead. So each text that it has read is looked through for what it asks to be included, whether
-// it is compiled there or not: too many places are looked at rather than too few.
+// A compiler lists the files that it read, but not the places where a lookup failed; a header that appears there later
+// would be read instead. So all inclusions in each text are collected, compiled or not: an overapproximation.
 #pragma once
 
 #include <optional>
@@ -20,20 +19,20 @@ struct Inclusion {
 
 struct Inclusions {
   std::vector<Inclusion> names;
-  std::vector<std::string> macros; // what `#include MACRO` is made of, if it is compiled and the macro is one
+  std::vector<std::string> macros; // macros of `#include MACRO` directives
 };
 
-// Of #include and __has_include, each once. Nothing where one of them is spelled in another way, or where the text
-// depends on the time of the day.
+// Names in #include and __has_include, without duplicates. Nullopt if one is spelled otherwise or the text depends on
+// the date or time.
 std::optional<Inclusions> inclusions_of(std::string_view text);
 
-// Of __has_include and __has_include_next alone, as far as they are spelled so.
+// Names in __has_include and __has_include_next alone; other spellings are skipped.
 std::vector<Inclusion> questions_of(std::string_view text);
 
 // Does the text define the macro?
 bool defines(std::string_view text, std::string_view macro);
 
-// The directories that gcc and clang search, in order, by what they say under -v. Those that are not there count too.
+// Search directories of gcc or clang in order, parsed from their output under -v; includes nonexistent ones.
 std::vector<std::string> searched_directories(std::string_view messages);
 
 } // namespace symreal::program

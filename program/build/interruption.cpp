@@ -9,7 +9,7 @@
 
 namespace symreal::program {
 
-// Records are never freed, as a handler may be reading the list. One that is not active is used again.
+// Records are never freed, as a handler may be reading the list; inactive ones are reused.
 struct Doomed::Record {
   std::atomic<bool> is_taken = true, is_active = false;
   Kind kind = Kind::file;
@@ -33,8 +33,8 @@ template <class Use> void for_each_active(Doomed::Kind kind, Use use) {
     if (one->is_active && one->kind == kind) use(*one);
 }
 
-// Forks `rm`, since removing a tree is not safe in a handler. A process that was just killed may still have made a
-// file.
+// Removes a tree by a forked `rm`, as that is not safe in a handler. Retries, since a process that was just killed may
+// still have created a file.
 void remove_tree(char const *path) {
   constexpr int most_tries = 3;
   for (int tries = 0; tries < most_tries; ++tries) {
@@ -52,8 +52,8 @@ void remove_tree(char const *path) {
 }
 
 void end_everything(int signal_number) {
-  if (getpid() != owner) _exit(128 + signal_number); // a child that is about to become another program
-  while (is_ending.exchange(true)) pause();          // another thread is at it
+  if (getpid() != owner) _exit(128 + signal_number); // a child between fork and exec
+  while (is_ending.exchange(true)) pause();          // another thread is cleaning up
   for_each_active(Doomed::Kind::processes, [](Record const &one) { kill(-one.group, SIGKILL); });
   for_each_active(Doomed::Kind::file, [](Record const &one) { unlink(one.path.c_str()); });
   for_each_active(Doomed::Kind::tree, [](Record const &one) { remove_tree(one.path.c_str()); });
@@ -108,7 +108,7 @@ Doomed &Doomed::operator=(Doomed &&other) noexcept {
 
 void Doomed::spare() {
   if (!record_) return;
-  while (is_ending && getpid() == owner) pause(); // the handler reads the record
+  while (is_ending && getpid() == owner) pause(); // the handler may be reading the record
   record_->is_active = false;
   record_->is_taken = false;
   record_ = nullptr;

@@ -1,6 +1,6 @@
-// All that goes when a signal ends the tool: the processes that it started, with those that these started, and files
-// that are of no use yet. SIGINT, SIGTERM, SIGHUP and SIGPIPE are caught from the first of them on; a signal that the
-// tool was started with as an ignored one, as by nohup, stays so.
+// Cleanup on signals: kills the processes that the tool started, with their descendants, and removes unfinished files.
+// SIGINT, SIGTERM, SIGHUP and SIGPIPE are caught once the first resource is registered; signals ignored at startup
+// (nohup) stay ignored.
 #pragma once
 
 #include <csignal>
@@ -11,7 +11,7 @@ namespace symreal::program {
 
 class Doomed {
 public:
-  enum class Kind { file, tree, processes }; // a directory with all below it; a group of processes
+  enum class Kind { file, tree, processes }; // file; directory tree; process group
 
   Doomed() = default;
   Doomed(Kind kind, std::string const &path);
@@ -20,7 +20,7 @@ public:
   Doomed(Doomed &&other) noexcept : record_(other.record_) { other.record_ = nullptr; }
   Doomed &operator=(Doomed &&other) noexcept;
 
-  // It stays whatever happens, or is gone already.
+  // Unregisters the resource: it is to be kept, or is gone already.
   void spare();
 
   struct Record;
@@ -29,7 +29,7 @@ private:
   Record *record_ = nullptr;
 };
 
-// No signal comes meanwhile in this thread, which is the one that renames results.
+// Blocks signals in this thread, which is the one that renames results.
 class Uninterrupted {
 public:
   Uninterrupted();

@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
 
-constexpr std::uintmax_t most_kept = std::uintmax_t{8} << 20; // bytes of a program
+constexpr std::uintmax_t most_kept = std::uintmax_t{8} << 20; // bytes of a cached program
 
 bool has_gold() {
   static bool const has = bool(llvm::sys::findProgramByName("ld.gold"));
@@ -41,7 +41,7 @@ std::string Linking::key(Command const &command) {
   return content_id(key);
 }
 
-// Under the key: the id of the program, and the stamps of what the linker has read besides its words.
+// An entry holds the program's content id and the stamps of the linker's further inputs.
 bool Linking::take(std::string const &key, std::string const &program) {
   std::optional<std::string> const kept = directory_.find(key);
   if (!kept) return false;
@@ -70,7 +70,7 @@ void Linking::keep(std::string const &key, std::string const &program, std::stri
   directory_.keep(key, text);
 }
 
-// gold links in a third of the time. What it cannot link, the compiler's own linker links, or tells why not.
+// gold takes a third of the time. If it fails, the compiler's own linker links, or reports the error.
 Captured Linking::link(Command const &command) {
   bool const is_chosen =
       std::ranges::any_of(command.arguments, [](auto const &word) { return word.starts_with("-fuse-ld="); });

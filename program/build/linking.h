@@ -1,9 +1,9 @@
-// Programs that are linked, or that an earlier run has linked.
+// Linker with a cache of programs that earlier runs have linked.
 //
-// Linking takes as long as compiling a small source. A link gives the same program when the linker, its words and
-// environment, the objects and what else it reads are the same. Objects count by their contents; the runtime and the
-// system's libraries, which the linker names, by path, size and time, as the compiler does. Where the user's own words
-// go to the linker, it runs each time; large programs are not kept.
+// Linking takes as long as compiling a small source. A link is determined by the linker, its arguments and environment,
+// the objects and its other inputs. Objects count by content; the runtime and system libraries, as the linker names
+// them, by path, size and time, as the compiler does. Links with the user's own linker arguments are always run; large
+// programs are not cached.
 #pragma once
 
 #include "program/build/cache_directory.h"
@@ -16,15 +16,14 @@ namespace symreal::program {
 
 class Linking {
 public:
-  // `files`: of this build, in which they do not change. `may_keep`: no words of the user's are among those of the
-  // links.
+  // `files`: contents of files, constant during this build. `may_keep`: the user has no linker arguments of their own.
   Linking(CacheDirectory &directory, std::string workspace, FilesNow &files, bool may_keep)
       : directory_(directory),
         workspace_(std::move(workspace)),
         files_(files),
         may_keep_(may_keep && directory.exists()) {}
 
-  // Runs "... OBJECT... LIBRARY -o PROGRAM", or copies the program that it gave before. Several threads.
+  // Runs "... OBJECT... LIBRARY -o PROGRAM", or copies the program that it gave before. Thread-safe.
   Captured link(Command const &command);
 
 private:

@@ -69,12 +69,12 @@ std::vector<std::string> read_make_rule(std::string const &text) {
     if (!name.empty()) names.push_back(std::move(name));
     name.clear();
   };
-  // After the target, which is written without blanks.
+  // Starts after the target, which has no blanks.
   std::size_t i = text.find(": ");
   for (i = i == text.npos ? text.size() : i + 1; i < text.size(); ++i) {
     char const c = text[i], next = i + 1 < text.size() ? text[i + 1] : '\0';
     if (c == '\\' && next != '\n') {
-      // Backslashes are themselves, but the last one before '#' is not, nor is every second one before a blank.
+      // Backslashes are literal, except the last one before '#' and every second one before a blank.
       std::size_t const end = std::min(text.find_first_not_of('\\', i), text.size()), count = end - i;
       char const after = end < text.size() ? text[end] : '\0';
       bool const is_blank = after == ' ' || after == '\t', keeps = after == '#' || (is_blank && count % 2 == 1);

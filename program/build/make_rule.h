@@ -1,4 +1,4 @@
-// What a file was made from, in the form that make, ninja and CMake read.
+// Makefile rules for the inputs of a file, in the dialect shared by make, ninja and CMake.
 #pragma once
 
 #include <string>
@@ -6,17 +6,17 @@
 
 namespace symreal::program {
 
-// A name as make reads it.
+// The name, escaped for make.
 std::string make_escaped(std::string const &name);
 
-// Which names get a rule without prerequisites of their own, lest the removal of a file stop the build.
+// Names that get a rule without prerequisites, lest removing a file stop the build.
 enum class Phony { none, all_but_first, all };
 
-// The rule as gcc lays it out. The targets are escaped already.
+// Formats a rule as gcc does. `targets` are escaped already.
 std::string make_rule(std::vector<std::string> const &targets, std::vector<std::string> const &names,
                       Phony phony = Phony::none);
 
-// The names that a rule with one target lists.
+// Prerequisites of a rule with one target.
 std::vector<std::string> read_make_rule(std::string const &text);
 
 } // namespace symreal::program

@@ -5,7 +5,7 @@
 namespace symreal::program {
 namespace {
 
-// The number behind a colon at the beginning of the text, which then begins behind it; 0 where there is none.
+// Consumes a colon and the number behind it; else returns 0.
 unsigned take_number(std::string_view &text) {
   unsigned number = 0;
   if (!text.starts_with(':')) return 0;

@@ -1,6 +1,5 @@
-// A line of what gcc, clang or a linker prints: FILE:LINE:COLUMN: KIND: TEXT. The lines are read, and not the
-// compilers' JSON: gcc's leaves out where a template was instantiated and which macro was expanded, which is what a
-// user needs.
+// Parser of a line printed by gcc, clang or a linker: FILE:LINE:COLUMN: KIND: TEXT. Text is parsed because gcc's JSON
+// omits template instantiations and macro expansions, which users need.
 #pragma once
 
 #include "engine/diagnostics/diagnostic.h"
@@ -13,16 +12,16 @@ namespace symreal::program {
 
 struct MessageLine {
   std::string before; // "In file included from "
-  Place place;        // line and column are 0 where there is none
-  std::string rest;   // behind the place, with its colon
+  Place place;        // line and column are 0 if missing
+  std::string rest;   // text behind the place, with its colon
 
-  // The text of this kind ("error", "note") without it; nothing where the line is of another kind.
+  // The text behind a kind such as "error" or "note"; nullopt if the line is of another kind.
   std::optional<std::string> text(std::string_view kind) const;
-  // The same of a line without a kind, such as "required from here".
+  // The text of a line without a kind, such as "required from here".
   std::string text() const;
 };
 
-// Nothing where the line names no file.
+// Nullopt if the line names no file.
 std::optional<MessageLine> message_line(std::string_view line);
 
 } // namespace symreal::program

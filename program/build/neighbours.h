@@ -1,4 +1,4 @@
-// What stands beside rewritten files and is left as it is.
+// Symbolic links from rewritten files to their unrewritten neighbours.
 #pragma once
 
 #include "rewrite/rewrite.h"
@@ -7,8 +7,8 @@
 
 namespace symreal::program {
 
-// An #include in quotes looks beside its own file first. So whatever stands there gets a symbolic link beside the
-// rewritten file, which lies at `top` followed by its real path.
+// Links each neighbour of a rewritten file beside its copy, which lies at `top` followed by its real path, so that an
+// #include in quotes finds it.
 void link_neighbours(rewrite::Result const &rewritten, std::string const &top);
 
 } // namespace symreal::program

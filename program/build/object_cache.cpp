@@ -23,14 +23,14 @@ namespace {
 namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
 
-// Its output depends on more than the words and the text.
+// Does the argument make the output depend on more than arguments and text?
 bool reads_more(std::string_view word) {
   for (std::string_view start : {"-fplugin", "-fprofile", "-fauto-profile", "-specs", "--specs", "-save-temps", "@"})
     if (word.starts_with(start)) return true;
   return false;
 }
 
-// What is hashed, without the path of the workspace.
+// Hash accumulator that leaves out the path of the workspace.
 class Key {
 public:
   explicit Key(std::string_view workspace) : workspace_(workspace) {}
@@ -47,20 +47,20 @@ private:
   std::string all_;
 };
 
-// gcc takes it for the text beside it.
+// Does gcc read the precompiled header beside the included text in its place?
 bool reads_precompiled(Words const &words) {
   std::size_t const header = position_after(words, "-include");
   return header != 0 && fs::exists(words[header] + ".gch");
 }
 
-// What both keys have: the compiler, the words and the environment.
+// Adds the common part of both keys: compiler, arguments and environment.
 void add_compilation(Key &key, Command const &compilation) {
   key.add(version);
   key.add(compilation.directory.empty() ? fs::current_path().string() : compilation.directory);
   key.add(program_stamp(compilation.arguments.front()));
   for (std::string const &word : compilation.arguments) {
     key.add(word);
-    constexpr std::string_view plugin = "-fpass-plugin="; // a part of the compiler
+    constexpr std::string_view plugin = "-fpass-plugin="; // plugins count as parts of the compiler
     if (word.starts_with(plugin)) key.add(program_stamp(std::string(word.substr(plugin.size()))));
   }
   for (char const *name : {"COMPILER_PATH", "GCC_EXEC_PREFIX", "SOURCE_DATE_EPOCH", "NIX_CFLAGS_COMPILE", "CPATH",
@@ -68,13 +68,12 @@ void add_compilation(Key &key, Command const &compilation) {
     if (char const *value = std::getenv(name)) key.add(fmt::format("{}={}", name, value));
 }
 
-// The result depends on what a compiler reads of the user's; the rewriter does not see all of it: neither headers of
-// the symbolic program alone nor those of sources that it leaves as they are.
-// The workspace links to sources that are not rewritten.
+// Notes a file of the user's that the compiler read: the rewriter sees neither headers of the symbolic program alone
+// nor those of sources that are left unchanged. The workspace links to such sources.
 void note_compiled(std::string const &path, std::string const &workspace) {
   std::error_code error;
   std::string const real = fs::canonical(path, error).string();
-  // The tool's own headers are left out: the result depends on the tool as a whole.
+  // Skips the tool's own headers: the result depends on the tool as a whole.
   static std::string const own =
       fs::canonical(runtime_include() + "/symreal/real.h", error).parent_path().string() + "/";
   if (!error && !real.starts_with(workspace) && !real.starts_with("/usr/") && !real.starts_with(own)) note_read(real);
@@ -89,16 +88,16 @@ std::string key_of_words(Command const &compilation, std::string const &workspac
 
 bool has_embedded_file(std::string const &text) { return text.find(".incbin") != text.npos; }
 
-// The files that a compilation reads, and the key of its result.
+// Inputs of a compilation, and the key of its object.
 struct Inputs {
   std::string key;
   std::optional<CompiledFrom> from;
 };
 
-// The files that a rule names.
+// Files that a make rule names.
 Words files_read(std::string const &rule) {
   Words files = read_make_rule(text_of_file(rule).value_or(""));
-  std::erase_if(files, [](std::string const &file) { return file.ends_with(".gch"); }); // a word says what it is
+  std::erase_if(files, [](std::string const &file) { return file.ends_with(".gch"); }); // identified by an argument
   return files;
 }
 
@@ -109,8 +108,8 @@ std::string key_of(Command const &compilation, CompiledFrom const &from, std::st
   return key.result();
 }
 
-// As preprocessing tells it. Nothing where the compilation cannot be told by its words and text, or does not begin
-// well.
+// Inputs determined by preprocessing. Nullopt if arguments and text do not determine the compilation, or preprocessing
+// fails.
 std::optional<Inputs> preprocess(Command const &compilation, std::string const &object, std::string const &workspace) {
   Command preprocessing = compilation;
   preprocessing.processor_limit = {};
@@ -119,7 +118,7 @@ std::optional<Inputs> preprocess(Command const &compilation, std::string const &
   words[position_after(words, "-o")] = text;
   std::replace(words.begin(), words.end(), std::string("-c"), std::string("-E"));
   words.insert(words.end(), {"-MD", "-MF", rule, "-v"});
-  if (reads_precompiled(words)) words.emplace_back("-fpch-preprocess"); // names it, instead of reading its text
+  if (reads_precompiled(words)) words.emplace_back("-fpch-preprocess"); // emits its name instead of its text
   Captured const run = capture(preprocessing);
   if (!run.outcome.success()) return {};
 
@@ -143,7 +142,7 @@ std::optional<Inputs> preprocess(Command const &compilation, std::string const &
   return Inputs{by_files, std::move(from)};
 }
 
-// Was it changed at this time or later, as far as the clocks agree? The files of the workspace are the tool's own.
+// Was the file changed since `begun`, as far as the clocks agree? Files of the workspace belong to the tool.
 bool is_changed_since(std::string const &path, timespec const &begun, std::string const &workspace) {
   std::error_code error;
   struct stat status = {};
@@ -153,7 +152,7 @@ bool is_changed_since(std::string const &path, timespec const &begun, std::strin
   return !is_earlier && !fs::canonical(path, error).string().starts_with(workspace);
 }
 
-// As a compilation told it that began then. Nothing where it cannot be kept.
+// Inputs reported by a compilation that started at `begun`. Nullopt if it cannot be cached.
 std::optional<Inputs> told(Command const &compilation, std::string const &rule, std::string const &messages,
                            timespec const &begun, std::string const &workspace) {
   Words const files = files_read(rule);
@@ -171,7 +170,7 @@ std::optional<Inputs> told(Command const &compilation, std::string const &rule, 
   return Inputs{by_files, std::move(from)};
 }
 
-// A compilation of which nothing is kept.
+// Runs a compilation that is not cached.
 Captured compiled_with_notes(Command compilation, std::string const &object, std::string const &workspace) {
   std::string const rule = object + ".d";
   Words &words = compilation.arguments;
@@ -191,8 +190,8 @@ std::optional<ObjectCache::Kept> ObjectCache::kept(std::optional<std::string> co
 }
 
 struct ObjectCache::Search {
-  std::string object, by_words; // the latter is empty where nothing may be kept
-  bool is_first = false;        // nothing was kept under the words
+  std::string object, by_words; // `by_words` is empty if nothing may be cached
+  bool is_first = false;        // no entry exists under the arguments' key
   std::optional<Inputs> found;
   bool taken = false;
 };
@@ -224,10 +223,10 @@ void ObjectCache::search_by_text(Search &search, Command const &compilation, std
 void ObjectCache::keep(Search const &search, std::string const &workspace) {
   if (!search.found) return;
   std::string const &key = search.found->key;
-  // The next run looks at the text, if it cannot be told what the texts include.
+  // If the inclusions cannot be determined, makes the next run use the preprocessed text.
   if (search.is_first && !search.found->from) return directory_->keep(search.by_words, "by its text");
   if (!search.taken) directory_->keep_file(key, search.object);
-  // A file that was changed meanwhile, by an editor, was compiled before or after that.
+  // A file edited meanwhile was compiled either before or after the edit: not cached.
   FilesNow now;
   if (search.found->from && search.found->from->still_holds(now, workspace))
     directory_->keep(search.by_words, to_bytes(*search.found->from, key));
@@ -255,15 +254,15 @@ Captured ObjectCache::compile(Command const &compilation, std::string const &wor
   if (result.outcome.success())
     keep(search, workspace);
   else if ((quick || tells_itself) && result.outcome.ending != Ending::over_limit)
-    return capture(compilation); // whose messages are those of the text
+    return capture(compilation); // reports messages without the precompiled header
   return result;
 }
 
-// No object that is kept was made with these words, so there is none to be found by what preprocessing tells: the
-// compiler tells what it reads while it makes one.
+// Compiles without preprocessing first: no cached object has these arguments, so no lookup by text can succeed, and the
+// compiler reports its inputs anyway.
 Captured ObjectCache::compile_first(Search &search, Command const &compilation, std::string const &workspace) {
   timespec begun = {};
-  clock_gettime(CLOCK_REALTIME_COARSE, &begun); // the clock of files
+  clock_gettime(CLOCK_REALTIME_COARSE, &begun); // the clock of file times
   std::string const rule = search.object + ".d";
   Command telling = compilation;
   telling.arguments.insert(telling.arguments.end(), {"-MD", "-MF", rule, "-v"});

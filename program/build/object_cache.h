@@ -1,16 +1,15 @@
-// Objects that were compiled before, in earlier runs as well.
+// Cache of compiled objects that persists across runs.
 //
-// A compilation gives the same object when its compiler, its words, the files that it reads and those that it looks for
-// in vain are the same: that is the key of an object. Where the latter cannot be told, as where a macro names what is
-// included, the preprocessed text stands for them. (The files count besides the text, since debug information has
-// columns, which preprocessing does not keep.) The files of a run stand in a workspace of its own; its path does not
-// count.
+// The key of an object covers the compiler, its arguments, the files that it reads and the failed lookups. If the
+// lookups cannot be determined, e.g. because a macro names an included file, the preprocessed text replaces them.
+// (Files count besides the text, since debug information has columns, which preprocessing drops.) Each run's files lie
+// in a workspace of its own, whose path does not count.
 //
-// Preprocessing is a tenth of compiling, but that of hundreds of headers. So what was read is kept too, under the
-// compiler, the words and the environment (compiled_from.h): while all of that is as it was, the object is the one of
-// that time. What is compiled with new words is not preprocessed apart: the compiler tells what it reads.
+// Preprocessing costs a tenth of compiling, or more with hundreds of headers. So the inputs are cached too, under
+// compiler, arguments and environment (compiled_from.h): while they are unchanged, so is the object. New arguments need
+// no separate preprocessing: the compiler reports its inputs while compiling.
 //
-// Of a precompiled header (runtime_header.h), neither text nor files are read: its path, a word, says what it is.
+// A precompiled header (runtime_header.h) is identified by its path, an argument; its text and files do not count.
 #pragma once
 
 #include "program/build/cache_directory.h"
@@ -30,24 +29,24 @@ class ObjectCache {
 public:
   explicit ObjectCache(std::shared_ptr<CacheDirectory> directory) : directory_(std::move(directory)) {}
 
-  // Runs a compilation, "... -c SOURCE -o OBJECT", or copies the object that it gave before. Several at a time.
-  // `files`: of this build, in which they do not change. `quicker`: the same compilation from a precompiled header,
-  // which is asked for unless the object is there, and made ready unless that one's is.
+  // Runs "... -c SOURCE -o OBJECT", or copies the object that it gave before. Thread-safe. `files`: contents of files,
+  // constant during this build. `quicker`: gives the same compilation with a precompiled header; consulted unless the
+  // object is cached, and the header is made ready unless that compilation's object is.
   struct Quick {
     Command command;
-    std::function<bool()> ready; // false: it cannot be
+    std::function<bool()> ready; // false if the header is unavailable
   };
   using Quicker = std::function<std::optional<Quick>(Command const &)>;
   Captured compile(Command const &compilation, std::string const &workspace, FilesNow &files, Quicker const &quicker);
 
-  // What a compilation that was kept has read, and the key of what it gave.
+  // Inputs of a cached compilation, and the key of its object.
   using Kept = std::pair<CompiledFrom, std::string>;
-  // The same for what is not an object of the program, does not count as one, and is only read. Nothing: it was not
-  // compiled before, as far as words and files tell.
+  // Looks up an auxiliary file, such as a precompiled header, which is only read and not counted as an object. Nullopt
+  // if arguments and files match no earlier compilation.
   std::optional<Kept> known(Command const &compilation, std::string const &workspace, FilesNow &files);
-  // Lays what is kept under the key there; false: it is no longer there, or is damaged.
+  // Links the file kept under the key to `to`; false if the entry is gone or damaged.
   bool lay(std::string const &key, std::string const &to) { return directory_->link_file(key, to); }
-  // Nothing: the compilation fails, or what it has read cannot be told.
+  // Compiles and caches the file. Nullopt if compilation fails or its inputs cannot be determined.
   std::optional<Kept> make(Command const &compilation, std::string const &workspace, FilesNow &files);
 
   std::size_t compiled() const { return compiled_; }
@@ -61,18 +60,18 @@ private:
   Captured compile_first(Search &search, Command const &compilation, std::string const &workspace);
   void search_by_text(Search &search, Command const &compilation, std::string const &workspace);
   void keep(Search const &search, std::string const &workspace);
-  // What is kept under the key of its words, if that still holds.
+  // The entry under the arguments' key, if its inputs are unchanged.
   std::optional<Kept> kept(std::optional<std::string> const &bytes, std::string const &workspace, FilesNow &files);
 
   std::shared_ptr<CacheDirectory> directory_;
   std::atomic<std::size_t> compiled_ = 0, reused_ = 0;
 };
 
-// A file, or a program that is found as a shell finds it, by path, size and time.
+// Path, size and time of a file, or of a program looked up in PATH.
 std::string file_stamp(std::string const &path);
 std::string program_stamp(std::string const &name);
 
-// Of the words: the position after this one; 0 where it is not among them.
+// Position after the word `option`; 0 if it is absent or last.
 std::size_t position_after(std::vector<std::string> const &words, std::string_view option);
 
 } // namespace symreal::program

@@ -37,10 +37,10 @@ constexpr unsigned own_architecture = 0;
 #if defined(SYS_open)
 constexpr unsigned plain_open = SYS_open;
 #else
-constexpr unsigned plain_open = SYS_openat; // there is no other
+constexpr unsigned plain_open = SYS_openat; // the only call that opens files
 #endif
 
-// The calls of this architecture that open a file are asked about.
+// Filter that notifies the listener of the calls of this architecture that open files.
 constexpr std::array filter = {
     sock_filter BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, arch)),
     sock_filter BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, own_architecture, 0, 4),
@@ -52,7 +52,7 @@ constexpr std::array filter = {
     sock_filter BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_USER_NOTIF),
 };
 
-// A message of one byte with a descriptor.
+// A one-byte message that carries a descriptor.
 struct Parcel {
   char byte = 0;
   iovec part = {&byte, 1};
@@ -89,7 +89,7 @@ int received_descriptor(int socket) {
   return descriptor;
 }
 
-// Bytes of the other process; fewer at the end of what it has.
+// Reads memory of the other process; returns fewer bytes at the end of its mapping.
 std::size_t read_memory(pid_t process, std::uint64_t address, void *to, std::size_t size) {
   iovec const here = {to, size}, there = {reinterpret_cast<void *>(address), size};
   ssize_t const got = process_vm_readv(process, &here, 1, &there, 1, 0);
@@ -131,7 +131,7 @@ void tell(seccomp_notif const &asked, OpenSink const &sink) {
   sink((start / name).string(), flags);
 }
 
-// Kernels may have longer messages than the headers know.
+// Message sizes: the kernel's may exceed those of the headers.
 struct Sizes {
   std::size_t question = sizeof(seccomp_notif), answer = sizeof(seccomp_notif_resp);
   Sizes() {
@@ -155,7 +155,7 @@ void serve_all(int listener, OpenSink const &sink) {
     std::ranges::fill(answer, 0);
     auto *const asked = reinterpret_cast<seccomp_notif *>(question.data());
     auto *const answered = reinterpret_cast<seccomp_notif_resp *>(answer.data());
-    if (ioctl(listener, SECCOMP_IOCTL_NOTIF_RECV, asked) != 0) continue; // it has been killed meanwhile
+    if (ioctl(listener, SECCOMP_IOCTL_NOTIF_RECV, asked) != 0) continue; // the process has been killed meanwhile
     tell(*asked, sink);
     answered->id = asked->id;
     answered->flags = SECCOMP_USER_NOTIF_FLAG_CONTINUE;
@@ -190,7 +190,7 @@ bool OpenedFiles::serve(OpenSink sink) {
   ends_[1] = -1;
   int const listener = received_descriptor(ends_[0]);
   if (listener < 0) return false;
-  // Not joined: what the program leaves running goes on to be served.
+  // Detached: background processes that the program leaves are still served.
   std::thread([listener, sink = std::move(sink)] { serve_all(listener, sink); }).detach();
   return true;
 }

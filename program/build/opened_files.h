@@ -1,6 +1,5 @@
-// What a process, and each process that it starts, opens: the system asks for leave before it opens a file (a filter of
-// seccomp with a listener), and gets it once the name is noted. Nothing of the program changes, whatever it is linked
-// of.
+// Observer of the files that a process and its descendants open: a seccomp filter with a listener holds each open call
+// until its path is noted. Works for any program, however it is linked.
 #pragma once
 
 #include <functional>
@@ -9,7 +8,7 @@
 
 namespace symreal::program {
 
-// An absolute path and the flags of open(2).
+// Receiver of an absolute path and the flags of open(2).
 using OpenSink = std::function<void(std::string const &path, int flags)>;
 
 class OpenedFiles {
@@ -19,14 +18,14 @@ public:
   OpenedFiles(OpenedFiles const &) = delete;
   OpenedFiles &operator=(OpenedFiles const &) = delete;
 
-  // In the child, as the last step before it becomes the program; allocates nothing.
+  // Installs the filter in the child, just before exec; allocates nothing.
   void install() const noexcept;
-  // In the parent, once the child is the program: calls `sink` in a thread of its own until the last of the processes
-  // has ended. False: this system does not tell.
+  // Serves the filter in the parent, after the child's exec: calls `sink` in its own thread until the last process has
+  // ended. False if the system does not support it.
   bool serve(OpenSink sink);
 
 private:
-  int ends_[2] = {-1, -1}; // a socket, by which the child hands over the listener
+  int ends_[2] = {-1, -1}; // socket pair by which the child passes the listener
 };
 
 } // namespace symreal::program

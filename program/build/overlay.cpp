@@ -33,8 +33,8 @@ std::size_t line_start(std::string const &text, unsigned line) {
   return start;
 }
 
-// Where a character of an edit's text stands in the original: what the edit repeats of that, before or behind what it
-// inserts, stands where it did, and all else at the beginning.
+// Original offset of a character of an edit's text: repeated original text before or behind the insertion keeps its
+// place, all else maps to the beginning.
 std::size_t original_offset(rewrite::Edit const &edit, std::string const &original, std::size_t within) {
   std::string const replaced = original.substr(edit.offset, edit.length);
   std::size_t const behind = edit.text.size() - std::min(edit.text.size(), replaced.size());
@@ -43,11 +43,11 @@ std::size_t original_offset(rewrite::Edit const &edit, std::string const &origin
   return edit.offset;
 }
 
-// The offset in the original of what stands at `offset` of the rewritten text.
+// Original offset of the character at `offset` of the rewritten text.
 std::size_t original_offset(rewrite::File const &file, std::size_t offset) {
   std::size_t original = offset, written = 0, read = 0;
   for (rewrite::Edit const &edit : file.edits) {
-    std::size_t begin = written + (edit.offset - read); // of the replacement, in the rewritten text
+    std::size_t begin = written + (edit.offset - read); // begin of the replacement in the rewritten text
     if (offset < begin) break;
     if (offset < begin + edit.text.size()) return original_offset(edit, file.original, offset - begin);
     written = begin + edit.text.size();
@@ -77,14 +77,14 @@ Overlay::Overlay(rewrite::Result const &rewritten, std::string directory, std::s
 
 void Overlay::write(rewrite::File const &file) const {
   std::string const path = directory_ + file.path;
-  std::error_code ignored; // a directory that cannot be made shows when the file is written
+  std::error_code ignored; // a failure shows when the file is written
   fs::create_directories(fs::path(path).parent_path(), ignored);
-  // A byte order mark is one only at the very beginning.
+  // Keeps a byte order mark at the very beginning.
   std::size_t const mark = file.text.starts_with("\xEF\xBB\xBF") ? 3 : 0;
   std::string const linkage = c_sources_.contains(file.path) ? "extern \"C\" {\n" : "";
   write_if_changed(path, file.text.substr(0, mark) + linkage + "#line 1 " + in_quotes(file.compiled_name) + "\n" +
                              redirected(file.text.substr(mark)) + (linkage.empty() ? "" : "\n}\n"));
-  // A symbolic link to the file is found beside what includes it.
+  // Lets an including file find a symbolic link to the file beside itself.
   fs::path const named(file.compiled_name);
   std::string const link = directory_ + real_path(named.parent_path() / "") + "/" + named.filename().string();
   if (link == path || fs::exists(fs::symlink_status(link, ignored))) return;
@@ -92,7 +92,7 @@ void Overlay::write(rewrite::File const &file) const {
   fs::create_symlink(path, link, ignored);
 }
 
-// A header included by its full path would be read as it was.
+// Redirects #includes with absolute paths to the overlay.
 std::string Overlay::redirected(std::string const &text) const {
   llvm::Regex const include("^([ \t]*#[ \t]*include[ \t]*[\"<])(/[^\">\n]*)");
   if (text.find("\"/") == text.npos && text.find("</") == text.npos) return text;
@@ -122,10 +122,10 @@ std::vector<std::string> Overlay::search_flags(std::vector<std::string> const &f
   std::vector<std::string> named;
   std::vector<std::string> words = program::search_flags(
       flags, [&](std::string const &name) { return counterpart(fs::path(directory) / name); }, named);
-  std::set<std::string> searched; // a directory that is named again, to be searched last, would be searched only there
+  std::set<std::string> searched; // a repeated directory would be searched only at its last position
   for (std::string const &one : named) searched.insert(real_path(fs::path(directory) / one));
-  // Behind -I come the directories of the environment (CPATH) and of the compiler; last the originals, for what is not
-  // beside them.
+  // Directories from the environment (CPATH) and the compiler follow -I; the originals come last, for files that are
+  // not beside the rewritten ones.
   for (std::string const &one : include_dirs_)
     if (auto const found = counterpart(one); found && searched.insert(real_path(one)).second)
       words.insert(words.end(), {"-I", *found});
@@ -144,7 +144,7 @@ bool Overlay::contains(std::string const &file) const {
 rewrite::File const *Overlay::find(std::string const &file) const {
   auto at = by_name_.find(file);
   if (at == by_name_.end()) at = by_name_.find(fs::path(file).lexically_normal().string());
-  // Debug information may name a file by its full path.
+  // Debug information may give a file's full path.
   if (at == by_name_.end() && file.starts_with('/')) at = by_name_.find(real_path(file));
   if (at == by_name_.end() && file.starts_with(directory_)) at = by_name_.find(file.substr(directory_.size()));
   return at == by_name_.end() ? nullptr : &files_[at->second];

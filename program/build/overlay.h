@@ -1,5 +1,4 @@
-// The rewritten files, laid out so that a compiler finds them instead of the originals, and the way back from a place
-// in them to the place in the source.
+// Overlay of rewritten files, which a compiler finds instead of the originals, with the map back to source places.
 //
 // A file with real path P stands at <directory>/P. It begins with a #line directive that restores its name and its line
 // numbers, so only columns differ from the original, and those follow from the edits.
@@ -17,23 +16,23 @@ namespace symreal::program {
 
 class Overlay {
 public:
-  // Of a program that was built elsewhere: every file counts as rewritten but those of the system and Symreal's own,
-  // and columns are not known.
+  // Overlay of a program built elsewhere: all files count as rewritten except the system's and Symreal's, and columns
+  // are unknown.
   Overlay() = default;
-  // Writes the files below `directory`. What the sources in C (real paths) and their headers define keeps C linkage,
-  // though they are compiled as C++.
+  // Writes the files below `directory`. Definitions in C sources (real paths) and their headers keep C linkage, though
+  // they are compiled as C++.
   Overlay(rewrite::Result const &rewritten, std::string directory, std::set<std::string> c_sources = {});
 
-  // Where the rewritten text of a source stands.
+  // Path of the rewritten text of a source.
   std::string compiled_path(std::string const &source) const;
-  // The flags of a source whose compiler runs in `directory` (empty: that of this process) with the counterpart of each
-  // search directory before it, so that the order of the search stays, and with that of each header that they include.
-  // In what is compiled, the files of the overlay have the names of the originals.
+  // The flags of a source whose compiler runs in `directory` (empty: the current one), with the counterpart of each
+  // search directory before it, so that the search order stays, and with the counterpart of each -include header.
+  // Compiled files of the overlay have the names of the originals.
   std::vector<std::string> search_flags(std::vector<std::string> const &flags, std::string const &directory = {}) const;
 
-  // True for the name (as the user or an #include spells it) of a rewritten file.
+  // Is this the name of a rewritten file, as the user or an #include spells it?
   bool contains(std::string const &file) const;
-  // A place as the compiler or the debug information of the rewritten program tells it, in the user's source.
+  // Maps a place reported by the compiler or the debug information to the user's source.
   Place original(Place place) const;
 
 private:
@@ -46,10 +45,10 @@ private:
   std::vector<rewrite::File> files_;
   std::vector<std::string> include_dirs_;
   std::set<std::string> c_sources_;
-  std::map<std::string, std::size_t> by_name_; // display path and real path to index
+  std::map<std::string, std::size_t> by_name_; // index by display path and real path
 };
 
-// A place in the rewritten text of the file, in its original text.
+// Maps a place in the rewritten text of a file to its original text.
 Place original_place(rewrite::File const &file, Place place);
 
 } // namespace symreal::program

@@ -48,7 +48,7 @@ private:
   }
 };
 
-// What the child needs, prepared before the fork: between fork and exec nothing may allocate.
+// Data of the child, prepared before the fork: between fork and exec nothing may allocate.
 struct Prepared {
   std::vector<char *> arguments, environment;
 
@@ -77,14 +77,14 @@ private:
     if (write(failure.write_end, &reason, sizeof reason) < 0) _exit(126);
     _exit(127);
   };
-  // A group of its own, so that a time-out ends what it started too; and it never outlives the tool.
+  // Puts the child into its own process group, so that a time-out also ends its descendants; it dies with the tool.
   setpgid(0, 0);
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) _exit(127);
   if (!command.directory.empty() && chdir(command.directory.c_str()) != 0) give_up();
   int input = open(command.standard_input.empty() ? "/dev/null" : command.standard_input.c_str(), O_RDONLY);
   if (input < 0 || dup2(input, 0) < 0 || dup2(output.write_end, 1) < 0 || dup2(output.write_end, 2) < 0) give_up();
-  // What lies on a stack may depend on where it lies.
+  // Fixes addresses, as stack contents may depend on them.
   if (command.at_fixed_addresses) personality(ADDR_NO_RANDOMIZE);
   for (int descriptor : command.inherited) fcntl(descriptor, F_SETFD, 0);
   signal(SIGPIPE, SIG_DFL);
@@ -116,7 +116,7 @@ private:
   std::string rest_;
 };
 
-// How long a group of processes may go on.
+// Time limits of a process group.
 class Limits {
 public:
   Limits(Command const &command, pid_t group, Clock::time_point start)
@@ -127,9 +127,9 @@ public:
 
   bool any() const { return seconds_ > 0 || processor_.seconds > 0; }
 
-  // Milliseconds until they are to be held again, -1 for ever; nothing where the group has to end.
+  // Milliseconds until the next check, -1 without limits; nullopt if the group must end.
   std::optional<int> hold() {
-    constexpr double most = 1e6; // that poll() takes as milliseconds
+    constexpr double most = 1e6; // largest timeout that poll() takes
     double left = most;
     if (seconds_ > 0) left = std::min(left, seconds_ - seconds_since(start_));
     if (left <= 0) return ended_by(Ending::timed_out);
@@ -139,7 +139,7 @@ public:
       double const more = processor_.seconds - used_.seconds;
       if (more <= 0) return ended_by(Ending::over_limit);
       constexpr double least = 0.02;
-      left = std::min(left, std::max(least, more / 2)); // several of them may run at a time
+      left = std::min(left, std::max(least, more / 2)); // several processes may use time at once
     }
     return any() ? static_cast<int>(left * 1000) + 1 : -1;
   }
@@ -166,7 +166,7 @@ private:
   GroupUse used_;
 };
 
-// True when the stream has ended, false when a limit came first.
+// Reads to the end of the stream; false if a limit came first.
 bool read_to_end(int descriptor, Lines &lines, Limits &limits) {
   std::array<char, 8192> buffer;
   for (;;) {
@@ -182,9 +182,9 @@ bool read_to_end(int descriptor, Lines &lines, Limits &limits) {
   }
 }
 
-// The exit status, or nothing when a limit came first (a process may close its output and run on).
+// Waits for the exit status; false if a limit came first (a process may close its output and run on).
 bool wait_for(pid_t child, int &status, rusage &used, Limits &limits) {
-  constexpr unsigned least = 2'000, most = 50'000; // microseconds between looks
+  constexpr unsigned least = 2'000, most = 50'000; // microseconds between polls
   for (unsigned pause = least; limits.any(); pause = std::min(2 * pause, most)) {
     if (wait4(child, &status, WNOHANG, &used) == child) return true;
     if (!limits.hold()) return false;
@@ -208,7 +208,7 @@ Outcome run(Command const &command, LineSink const &sink) {
   if (child < 0) return {Ending::not_started, errno, 0};
   if (child == 0) become(command, prepared, output, failure, parent, opened ? &*opened : nullptr);
   setpgid(child, child);
-  Doomed group(child); // with what it starts
+  Doomed group(child); // the child and its descendants
   output.close_write();
   failure.close_write();
 

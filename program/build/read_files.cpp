@@ -15,11 +15,11 @@ namespace fs = std::filesystem;
 
 struct Known {
   std::mutex mutex;
-  std::set<std::string> read, written, absent; // absolute
+  std::set<std::string> read, written, absent; // absolute paths
   bool are_all = true;
 };
 
-// It outlives the threads.
+// Never destroyed: threads may outlive static objects.
 Known &known() {
   static auto *const files = new Known;
   return *files;
@@ -28,7 +28,7 @@ Known &known() {
 void note(std::set<std::string> Known::*set, std::string const &path) {
   std::error_code error;
   fs::path name = fs::absolute(path, error);
-  // Behind a link, ".." is not what stands before it.
+  // Resolves links first if the path has "..", which behind a link leads elsewhere.
   bool const goes_up = std::find(name.begin(), name.end(), "..") != name.end();
   name = goes_up ? fs::weakly_canonical(name.parent_path(), error) / name.filename() : name.lexically_normal();
   if (error) return;
@@ -37,7 +37,7 @@ void note(std::set<std::string> Known::*set, std::string const &path) {
   (known().*set).insert(std::move(absolute));
 }
 
-// The system's own, which has no contents of its own or changes all the time.
+// Is this a pseudo file of the system, or one that changes all the time?
 bool is_of_system(std::string const &path) {
   for (char const *start : {"/proc/", "/sys/", "/dev/", "/etc/ld.so.cache"})
     if (path.starts_with(start)) return true;

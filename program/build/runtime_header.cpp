@@ -14,11 +14,11 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-constexpr std::size_t worth_making = 3; // compilations that ask for it
+constexpr std::size_t worth_making = 3; // compilations that must ask for it
 
 bool is_clang(Command const &compilation) { return compilation.arguments.front().find("clang") != std::string::npos; }
 
-// Where the words name the header, as the only one that they include; else 0.
+// Position of the runtime header among the arguments, if it is the only -include; else 0.
 std::size_t header_position(Words const &words) {
   std::size_t const at = position_after(words, "-include");
   auto const includes = [](rewrite::DriverOption const &option) { return option.about == rewrite::About::headers; };
@@ -26,15 +26,15 @@ std::size_t header_position(Words const &words) {
   return is_ours && std::ranges::count_if(rewrite::driver_options(words), includes) == 1 ? at : 0;
 }
 
-// A directory of the user's. Only gcc takes a precompiled header that was made without it where it is searched before
-// the system's.
+// Is this a directory of the user's that a precompiled header may ignore? clang accepts only directories searched after
+// the system's, gcc also those before.
 bool is_searched_for(rewrite::DriverOption const &option, bool by_clang) {
   bool const is_last = option.name == "-idirafter", is_before = option.name == "-I" || option.name == "-isystem";
   return option.about == rewrite::About::directories && option.value != runtime_include() &&
          (is_last || (is_before && !by_clang));
 }
 
-// The words without the directories in which the header need not be looked for, which go to `searched`.
+// The arguments without directories that the header does not need, which go to `searched`.
 Words without_directories(Words const &words, bool by_clang, Words &searched) {
   Words kept;
   for (rewrite::DriverOption const &option : rewrite::driver_options(words))
@@ -45,8 +45,8 @@ Words without_directories(Words const &words, bool by_clang, Words &searched) {
   return kept;
 }
 
-// The words without the program's macros, but for those that the header or the library looks at. gcc takes a
-// precompiled header all the same, unless a name that it has seen is such a macro; then it reads the text.
+// The arguments without the program's macros, except those that the header or the library tests. gcc takes a
+// precompiled header nevertheless, unless it uses the name of such a macro; then gcc reads the text.
 Words without_macros(Words const &words) {
   Words kept;
   for (rewrite::DriverOption const &option : rewrite::driver_options(words)) {
@@ -58,7 +58,7 @@ Words without_macros(Words const &words) {
   return kept;
 }
 
-// Whether the words may name a file by where the compiler runs.
+// May an argument name a file relative to the compiler's directory?
 bool depends_on_directory(Words const &words) {
   return std::ranges::any_of(rewrite::driver_options(words), [](rewrite::DriverOption const &option) {
     bool const may = option.about == rewrite::About::directories || option.about == rewrite::About::other;
@@ -66,12 +66,12 @@ bool depends_on_directory(Words const &words) {
   });
 }
 
-// How the header is compiled, to this file.
+// Command that compiles the header to this file.
 Command header_compilation(Command compilation, std::string const &to) {
   compilation.processor_limit = {};
   Words &words = compilation.arguments;
   std::size_t const header = header_position(words);
-  std::size_t const source = position_after(words, "-c"); // -x c++ -c SOURCE
+  std::size_t const source = position_after(words, "-c"); // the arguments have "-x c++ -c SOURCE"
   words[source - 2] = "c++-header";
   words[source] = runtime_include() + "/" + words[header];
   words[position_after(words, "-o")] = to;
@@ -104,12 +104,12 @@ void RuntimeHeader::make(One &one, Command const &compilation, std::string const
     one.is_laid = kept.has_value();
   }
   if (!kept) return;
-  // Under a path that says what it is made from: so the words of what reads it do.
+  // Lays it at a path derived from its inputs, so that the path identifies it among arguments.
   std::string const place = all + kept->second, path = place + "/header.h";
   std::filesystem::create_directories(place, error);
   if (!error && one.is_laid) std::filesystem::rename(directory + "/header.h.gch", path + ".gch", error);
   if (error) return;
-  // gcc reads the text where it cannot take what lies beside it.
+  // Writes the text that gcc reads if it rejects the precompiled header beside it.
   write_if_changed(path, "#include <" + header + ">\n");
   one.path = path;
   one.object = kept->second;
@@ -117,7 +117,7 @@ void RuntimeHeader::make(One &one, Command const &compilation, std::string const
   one.names.push_back(header);
 }
 
-// A header that was kept and is damaged is made again.
+// Links the header from the cache; makes it again if the entry is damaged.
 bool RuntimeHeader::lay(One &one, Command const &compilation, std::string const &key, FilesNow &files) {
   std::scoped_lock const lock(one.mutex);
   if (one.path.empty()) return false;
@@ -128,7 +128,7 @@ bool RuntimeHeader::lay(One &one, Command const &compilation, std::string const 
   return one.is_laid && one.path == path;
 }
 
-// Whether one of the directories has what the header asks for.
+// Does one of the directories have a file of a name that the header includes?
 bool RuntimeHeader::may_read(One const &one, Words const &directories, std::string const &base, FilesNow &files) {
   return std::ranges::any_of(directories, [&](std::string const &directory) {
     std::filesystem::path const path = std::filesystem::path(base) / directory;
@@ -155,7 +155,7 @@ std::optional<ObjectCache::Quick> RuntimeHeader::use(Command const &compilation,
   std::unique_lock lock(mutex_);
   One &one = all_[key];
   lock.unlock();
-  std::unique_lock const mine(one.mutex, std::try_to_lock); // whoever comes while it is made does without
+  std::unique_lock const mine(one.mutex, std::try_to_lock); // others compile without the header while it is being made
   if (!mine) return {};
   if (one.path.empty() && !one.tried) make(one, common, key, files);
   if (one.path.empty() || may_read(one, searched, compilation.directory, files)) return {};

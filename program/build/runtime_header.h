@@ -1,11 +1,10 @@
-// The header of the runtime that each rewritten source includes first, precompiled.
+// Precompiled version of the runtime header that each rewritten source includes first.
 //
-// It is as large as a small program. gcc and clang take a precompiled header in its place if it was made by the same
-// compiler with the same words: so there is one for each of these. Directories that are searched behind the system's do
-// not count, unless one of them has a header by a name that the precompiled one asks for; nor, for gcc, do other
-// directories of the user's and the program's macros. It is kept like an object (object_cache.h), made from what it is
-// made from. Making it costs as much as three sources gain; it is made for the third that asks for it, in this run or
-// an earlier one.
+// The header is as large as a small program. gcc and clang take a precompiled header if the same compiler made it with
+// the same arguments: so there is one for each combination. Directories searched after the system's are ignored, unless
+// one has a header of a name that the precompiled one includes; for gcc, so are the user's other directories and the
+// program's macros. It is cached like an object (object_cache.h). Making it costs what three sources gain; it is made
+// for the third that asks for it, in this run or an earlier one.
 #pragma once
 
 #include "program/build/object_cache.h"
@@ -25,8 +24,8 @@ public:
         directory_(directory),
         workspace_(std::move(workspace)) {}
 
-  // The compilation with the precompiled header instead of the text; nothing where there is none. Several threads. The
-  // header itself, which is large, is not looked at before it is needed.
+  // The compilation with the precompiled header instead of the text; nullopt if it is unavailable. Thread-safe. The
+  // header itself, which is large, is not read before it is needed.
   std::optional<ObjectCache::Quick> use(Command const &compilation, FilesNow &files);
 
 private:
@@ -34,10 +33,10 @@ private:
     std::mutex mutex;
     std::size_t asked = 0;
     bool tried = false;
-    std::string path;               // of the text beside which the precompiled header lies; empty: there is none
-    std::string object;             // what it is kept under
-    bool is_laid = false;           // it lies there
-    std::vector<std::string> names; // that it asks for; some directory of the system's has not got them
+    std::string path;               // text beside which the precompiled header lies; empty if unavailable
+    std::string object;             // key of its cache entry
+    bool is_laid = false;           // the header lies at `path`
+    std::vector<std::string> names; // names that it includes and some system directory lacks
   };
   void make(One &one, Command const &compilation, std::string const &key, FilesNow &files);
   bool lay(One &one, Command const &compilation, std::string const &key, FilesNow &files);

@@ -1,4 +1,4 @@
-// Where a compiler looks for headers, when there are rewritten ones.
+// Header search flags for compilations with rewritten headers.
 #pragma once
 
 #include <functional>
@@ -8,8 +8,8 @@
 
 namespace symreal::program {
 
-// The flags with the counterpart of each search directory, if it has one, before it, so that the order of the search
-// stays, and with that of each header that they include. `searched` receives the directories as the flags name them.
+// Inserts the counterpart of each search directory, if any, before it, so that the search order stays, and the
+// counterpart of each -include header. `searched` receives the directories as the flags name them.
 std::vector<std::string>
 search_flags(std::vector<std::string> const &flags,
              std::function<std::optional<std::string>(std::string const &name)> const &counterpart,

@@ -1,4 +1,4 @@
-// Does each rewritten source compile in symbolic mode? A compiler parses it, and makes nothing.
+// Check that each rewritten source compiles in symbolic mode: a compiler parses it and writes nothing.
 #pragma once
 
 #include "program/build/compile.h"
@@ -7,8 +7,8 @@
 
 namespace symreal::program {
 
-// One diagnostic for each source that does not, in the order of `request.sources`, with places in the user's sources.
-// `rewritten`: what becomes of these.
+// One diagnostic for each source that fails, in the order of `request.sources`, with places in the user's sources.
+// `rewritten`: their rewriting.
 std::vector<Diagnostic> symbolic_check(BuildRequest request, rewrite::Result rewritten);
 
 } // namespace symreal::program

@@ -27,7 +27,7 @@ struct Entry {
 struct Journal {
   unsigned number = 0;
   bool is_undo = false;
-  std::vector<Entry> entries; // the original of the i-th is N/i
+  std::vector<Entry> entries; // the original of entry i is N/i
 };
 
 Json to_json(Journal const &journal) {
@@ -49,14 +49,14 @@ Journal read_journal(std::string const &path) {
   }
 }
 
-// Renaming would replace the link, and leave the file.
+// Is the path now a link? Renaming would replace the link, not the file.
 bool became_link(std::string const &path) {
   std::error_code error;
   fs::path const real = fs::canonical(path, error);
   return !error && real != path;
 }
 
-// The directory `.symreal`, held by one process at a time.
+// The directory `.symreal`, locked by one process at a time.
 class State {
 public:
   explicit State(std::string directory) : directory_(std::move(directory)) {
@@ -82,7 +82,7 @@ public:
   std::string original(unsigned number, std::size_t index) const {
     return file(std::to_string(number)) + "/" + std::to_string(index);
   }
-  // Of the last edit; 0: there is none.
+  // Number of the last edit; 0 before the first.
   unsigned last() const {
     unsigned number = 0;
     while (fs::exists(manifest(number + 1))) ++number;
@@ -96,7 +96,7 @@ public:
       return journal.is_undo ? Recovery::undone : Recovery::completed;
     }
     if (!fs::exists(file("prepared.json"))) {
-      remove_durably(file("new.json")); // of a process that had done nothing else yet
+      remove_durably(file("new.json")); // leftover of a process that had changed nothing yet
       return Recovery::nothing;
     }
     Journal const journal = read_journal(file("prepared.json"));
@@ -128,11 +128,11 @@ public:
     if (file_hash(path) != hash) fail(DiagnosticId::changed_file, {path}, "another process changed this file");
   }
 
-  // Nothing is left to undo.
+  // Removes the directory if nothing is left to undo.
   void remove_if_empty() {
     if (last() != 0) return;
     remove_durably(file("lock"));
-    std::error_code ignored; // something of the user's may be there
+    std::error_code ignored; // the user may have put files there
     fs::remove(directory_, ignored);
   }
 
@@ -174,7 +174,7 @@ void require_replaceable(Replacement const &one) {
   std::string const parent = fs::path(one.path).parent_path().string();
   if (stat(one.path.c_str(), &file) != 0 || stat(parent.c_str(), &directory) != 0)
     fail(DiagnosticId::changed_file, {one.path}, "this file no longer exists");
-  // Said by the permissions, also to those whom they do not bind.
+  // Respects read-only permissions, even for users whom they do not bind (root).
   bool const read_only = (file.st_mode & 0222) == 0 || (directory.st_mode & 0222) == 0;
   if (read_only || access(one.path.c_str(), W_OK) != 0 || access(parent.c_str(), W_OK) != 0)
     fail(DiagnosticId::unwritable_output, {one.path},
@@ -197,7 +197,7 @@ bool is_below(fs::path const &path, fs::path const &directory) {
   return !relative.empty() && *relative.begin() != "..";
 }
 
-// Where the user is, if all files are below, else the deepest directory that they share.
+// Directory for the state: the current one if all files are below it, else their deepest common directory.
 std::string home(std::vector<Replacement> const &replacements) {
   std::error_code ignored;
   fs::path directory = fs::canonical(fs::current_path(), ignored);

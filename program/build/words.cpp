@@ -23,7 +23,7 @@ std::string shell_line(std::vector<std::string> const &arguments) {
 
 std::vector<std::string> split_words(std::string_view text) {
   std::vector<std::string> words;
-  bool inside = false; // a word has begun, which may be empty: ''
+  bool inside = false; // inside a word, possibly an empty one ('')
   char quote = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {
     char c = text[i];

@@ -24,8 +24,8 @@ bool is_own(std::string const &path, mode_t type) {
   return lstat(path.c_str(), &status) == 0 && (status.st_mode & S_IFMT) == type && status.st_uid == geteuid();
 }
 
-// The system gives the lock back when its holder ends, however that happens. A workspace without one is kept for the
-// user, or is about to get one.
+// Removes a workspace whose owner has ended: the system then releases its lock. A workspace without a lock is kept for
+// the user, or is about to be locked.
 void remove_if_dead(std::string const &path) {
   std::string const lock = path + lock_name;
   if (!is_own(path, S_IFDIR) || !is_own(lock, S_IFREG)) return;
@@ -36,7 +36,7 @@ void remove_if_dead(std::string const &path) {
   close(descriptor);
 }
 
-// Once a run.
+// Removes dead workspaces, once a run.
 void remove_dead_workspaces(fs::path const &directory) {
   static bool is_done = false;
   if (std::exchange(is_done, true)) return;
@@ -59,7 +59,7 @@ Workspace::Workspace(bool keep) : keep_(keep) {
   if (keep_) return;
   doomed_ = Doomed(Doomed::Kind::tree, path_);
   remove_dead_workspaces(directory);
-  // It has its final name only when it is held.
+  // Renames the lock file only once it is locked.
   std::string const lock = path_ + lock_name, fresh = lock + ".new";
   lock_ = open(fresh.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
   if (lock_ >= 0 && flock(lock_, LOCK_EX | LOCK_NB) == 0) fs::rename(fresh, lock, error);

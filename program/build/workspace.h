@@ -1,5 +1,5 @@
-// A directory of its own for what one run builds, outside the user's tree. It disappears at the end of the run, also
-// when the run is interrupted, unless it is to be kept; one of a run that was killed disappears with the next run.
+// Temporary directory of a run, outside the user's tree. It is removed at the end of the run, also on interruption,
+// unless it is to be kept; the next run removes that of a killed run.
 #pragma once
 
 #include "program/build/interruption.h"
@@ -17,13 +17,13 @@ public:
 
   std::string const &path() const { return path_; }
   std::string file(std::string const &name) const { return path_ + "/" + name; }
-  // Makes the directory `name` and returns its path.
+  // Creates the directory `name` and returns its path.
   std::string directory(std::string const &name) const;
 
 private:
   std::string path_;
   bool keep_;
-  int lock_ = -1; // held as long as the run lives
+  int lock_ = -1; // locked while the run lives
   Doomed doomed_;
 };
 

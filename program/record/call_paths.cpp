@@ -56,7 +56,7 @@ std::vector<Diagnostic> once_a_place(std::vector<Met> const &all) {
   for (Met const &one : all) {
     std::string key = code(one.diagnostic.id) + to_string(one.diagnostic.place);
     if (one.diagnostic.place.line == 0) key += one.diagnostic.message;
-    // Two along one path are two decisions of one expression.
+    // Two diagnostics along one path are two decisions of one expression.
     if (auto const other = known.find(key); other != known.end() && is_another(places[other->second], one.diagnostic))
       key += one.diagnostic.message;
     auto const [found, is_new] = known.try_emplace(std::move(key), places.size());

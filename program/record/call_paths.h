@@ -1,4 +1,4 @@
-// What a run met, a diagnostic for each place, however many call paths lead there.
+// Diagnostics of a run, merged to one for each place, however many call paths lead there.
 #pragma once
 
 #include "engine/diagnostics/diagnostic.h"
@@ -10,14 +10,14 @@
 namespace symreal::program {
 
 struct Met {
-  Diagnostic diagnostic;     // its notes are the call path
-  std::size_t count = 0;     // how often, along this path; 0: nobody counted
-  std::size_t frames = 0;    // of the path
-  std::string recorded = {}; // what it is about in terms of the kernel's inputs, where the message does not say
+  Diagnostic diagnostic;     // the notes give the call path
+  std::size_t count = 0;     // occurrences along this path; 0: not counted
+  std::size_t frames = 0;    // length of the call path
+  std::string recorded = {}; // its subject in terms of the kernel's inputs, unless the message says so
 };
 
-// In the order of the first meetings. Each has the shortest of its paths; its message tells how often it was met and
-// how many paths there are.
+// One diagnostic for each place, in order of first occurrence. Each has the shortest of its paths; its message gives
+// the number of occurrences and of paths.
 std::vector<Diagnostic> once_a_place(std::vector<Met> const &all);
 
 } // namespace symreal::program

@@ -14,8 +14,8 @@ using Position = std::pair<unsigned, unsigned>;
 
 Position position(Place const &place) { return {place.line, place.column}; }
 
-// Of those around the position the one that begins last; of several that begin there the longest that begins at the
-// very position, else the shortest.
+// The text around the position that begins last; of several, the longest if they begin at the position, else the
+// shortest.
 DecidingText const *innermost(std::multimap<Position, DecidingText const *> const &texts, Position at) {
   constexpr int most_before = 64;
   DecidingText const *found = nullptr;
@@ -51,8 +51,8 @@ std::set<std::string> names(std::string const &text) {
   return result;
 }
 
-// A compiler says of both operands of && and || that they end the condition. Where the one that ends there is of other
-// objects than what was recorded, and one before it in the line of the same: that one.
+// Picks the operand of && or || that was recorded: compilers give both the end of the condition as place. If `found`
+// names other objects than the recorded condition and an earlier operand on its line names the same, the latter.
 DecidingText const *meant(std::string const &recorded, DecidingText const *found,
                           std::multimap<Position, DecidingText const *> const &texts) {
   std::set<std::string> const of_recorded = names(recorded);

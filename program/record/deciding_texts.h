@@ -1,4 +1,4 @@
-// What a program decides on, in the words of its source, by the place where it does.
+// Source texts of a program's decisions, by place.
 #pragma once
 
 #include "rewrite/rewrite.h"
@@ -11,11 +11,11 @@ namespace symreal::program {
 
 class DecidingTexts {
 public:
-  // The texts must outlive this.
+  // The texts must outlive this object.
   explicit DecidingTexts(std::vector<rewrite::DecidingText> const &texts);
 
-  // The condition, or the operand of the conversion, that a decision at this place is about; null: not known.
-  // `recorded`: it in terms of the kernel.
+  // The condition, or converted operand, of a decision at this place; null if unknown. `recorded`: the condition in
+  // terms of the kernel.
   rewrite::DecidingText const *condition(Place const &place, std::string const &recorded) const;
   rewrite::DecidingText const *conversion(Place const &place) const;
 
@@ -23,15 +23,15 @@ private:
   using Position = std::pair<unsigned, unsigned>;
   struct File {
     std::map<Position, rewrite::DecidingText const *> by_keyword;
-    std::multimap<Position, rewrite::DecidingText const *> conditions, conversions; // by their begin
+    std::multimap<Position, rewrite::DecidingText const *> conditions, conversions; // by begin
   };
   std::map<std::string, File> files_;
 };
 
-// A condition, or "the conversion of x", that was recorded in terms of the kernel's inputs.
+// A condition, or "the conversion of x", recorded in terms of the kernel's inputs.
 struct SaidDecision {
-  std::string text;     // as the source says it, if that is known
-  std::string recorded; // in terms of the inputs, where that tells more
+  std::string text;     // source text, if known
+  std::string recorded; // text in terms of the inputs, if it tells more
 };
 SaidDecision said_by_source(std::string const &recorded, Place const &place, DecidingTexts const &texts);
 

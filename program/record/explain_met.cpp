@@ -8,7 +8,7 @@
 namespace symreal::program {
 namespace {
 
-constexpr std::size_t most_frames = 8; // of a call path, as notes
+constexpr std::size_t most_frames = 8; // frames of a call path that become notes
 constexpr char const *here_in = "here, in ";
 
 Met locate(DiagnosticId id, std::vector<std::uint64_t> const &addresses, Symbolizer &symbolizer) {
@@ -16,7 +16,7 @@ Met locate(DiagnosticId id, std::vector<std::uint64_t> const &addresses, Symboli
   Diagnostic &diagnostic = met.diagnostic;
   std::vector<Frame> frames = symbolizer.frames(addresses);
   met.frames = frames.size();
-  // The innermost place in a rewritten file is where the user can act; what is further in (Eigen, std) led there.
+  // The innermost place in a rewritten file is where the user can act; frames further in (Eigen, std) are libraries.
   auto own = std::find_if(frames.begin(), frames.end(), [](Frame const &frame) { return frame.rewritten; });
   if (own == frames.end()) own = frames.begin();
   if (own != frames.end()) diagnostic.place = own->place;
@@ -35,7 +35,7 @@ bool same(Diagnostic const &one, Diagnostic const &other) {
          std::equal(one.notes.begin(), one.notes.end(), other.notes.begin(), other.notes.end(), same_note);
 }
 
-// What is said of a condition, before and after it.
+// Message around a condition.
 struct Phrase {
   DiagnosticId id;
   std::string before, after;
@@ -59,7 +59,7 @@ std::vector<Diagnostic> explain_met(Events const &events, Symbolizer &symbolizer
     all.push_back(locate(located.id, located.addresses, symbolizer));
     all.back().diagnostic.message = located.message;
     all.back().count = located.count;
-    // Two instructions of one expression are met as one.
+    // Two instructions of one expression count as one.
     bool const is_known = std::any_of(all.begin(), all.end() - 1,
                                       [&](Met const &other) { return same(other.diagnostic, all.back().diagnostic); });
     if (is_known) all.pop_back();
@@ -92,7 +92,7 @@ void explain_crash(Diagnostic &diagnostic, std::vector<std::uint64_t> const &add
 
 void say_in_words_of_source(Graph &graph, DecidingTexts const &texts) {
   for (Guard &guard : graph.guards) {
-    // What decides further in, in Eigen or std, is no text of the user's.
+    // Decisions inside a library (Eigen, std) have no source text of the user's.
     if (guard.location == no_location || graph.locations[guard.location].places.size() != 1) continue;
     std::size_t const end = end_of_condition(guard.text);
     SaidDecision const said =

@@ -32,14 +32,14 @@ bool is_same(Object const &a, Object const &b) {
   return a.label == b.label && a.extents == b.extents && a.count == b.count && a.members == b.members;
 }
 
-// The first object that two paths do not have in common. A path that is cut off may lack the last ones.
+// The first object in which two paths differ. A path that is cut off may lack the last objects.
 Object const *first_difference(std::vector<Object> const &objects, std::vector<Object> const &others, bool is_cut_off) {
   auto const [here, there] = std::ranges::mismatch(objects, others, is_same);
   if (there != others.end()) return &*there;
   return here == objects.end() || is_cut_off ? nullptr : &*here;
 }
 
-// Callers see one kernel, whichever path it takes.
+// Requires that all paths have the same interface.
 void require_same_interface(Graph const &first, Graph const &path, bool is_cut_off, Place const &place) {
   auto const require = [&](char const *kind, std::vector<Object> const &objects, std::vector<Object> const &others) {
     Object const *const other = first_difference(objects, others, is_cut_off);
@@ -52,7 +52,7 @@ void require_same_interface(Graph const &first, Graph const &path, bool is_cut_o
   require("output", first.outputs, path.outputs);
 }
 
-// Where ways came together on a path. How it begins an earlier path has in common with it, if there is one.
+// Counts the joins on a path, except those on its beginning, which an earlier path shares.
 void add_joined(Exploration &exploration, Events const &events, std::optional<Outcomes> const &beginning) {
   if (!beginning) {
     exploration.joins = events.joined.size();
@@ -83,7 +83,7 @@ static std::optional<Graph> explore_paths(std::size_t kernel, Place const &place
                                           std::function<std::optional<PathRun>(std::string const &)> const &run_path,
                                           ChoosePaths const &choose, Exploration &exploration) {
   PathTree tree;
-  Graph first; // its interface
+  Graph first; // interface of the kernel
   std::optional<MetPaths> met;
   std::optional<Outcomes> outcomes = Outcomes();
   Progress progress("paths");
@@ -93,8 +93,8 @@ static std::optional<Graph> explore_paths(std::size_t kernel, Place const &place
     std::optional<PathRun> run = run_path(path_variable(kernel, *outcomes, false, bounds, pieces_left(exploration)));
     if (!run) return std::nullopt;
     bool const has_ended = !run->graph, is_late = has_ended && run->is_late;
-    if (has_ended && tried == 0 && !met) fail_to_repeat(place); // the program's own path, which came to the end before
-    if (has_ended) {                                            // once more, up to the last decision before
+    if (has_ended && tried == 0 && !met) fail_to_repeat(place); // the program's own path has reached the end before
+    if (has_ended) {                                            // rerun up to the last decision before its end
       if (run->taken.size() < outcomes->size() || run->taken.empty()) fail_to_repeat(place);
       run = run_path(path_variable(kernel, run->taken, true, bounds, 0));
       if (!run) return std::nullopt;
@@ -148,7 +148,7 @@ std::optional<Graph> explore(std::size_t kernel, Place const &place, ExploreBoun
                              ChoosePaths const &choose, Exploration &exploration) {
   try {
     return explore_paths(kernel, place, bounds, run_path, choose, exploration);
-  } catch (DiagnosticError const &error) { // ways that have come together may do so once and not again, or not in time
+  } catch (DiagnosticError const &error) { // joins may fail to repeat, or exceed the time limit
     if (error.diagnostic().id != DiagnosticId::path_not_repeated || !bounds.joins) throw;
     exploration = {};
     ExploreBounds without = bounds;
@@ -195,7 +195,7 @@ std::vector<DecidedPlace> decided_places(Graph const &graph, std::vector<Place> 
   for (Place const &place : joined) all[place].is_joined = true;
   for (Guard const &guard : graph.guards)
     if (DecidedPlace *const place = at(guard.location)) place->is_guarded = true;
-  for (std::size_t id = 0; id < graph.node_location.size(); ++id) // those between paths stand where these part
+  for (std::size_t id = 0; id < graph.node_location.size(); ++id) // selects between paths stand where the paths part
     if (DecidedPlace *const place = graph.nodes[id].op == Op::select ? at(graph.node_location[id]) : nullptr)
       place->is_selected = !place->is_explored && !place->is_joined;
   std::vector<DecidedPlace> places;

@@ -15,7 +15,7 @@
 namespace symreal::program {
 namespace {
 
-// Adds the seconds of its own life.
+// Adds its lifetime in seconds to `seconds`.
 class Stopwatch {
 public:
   explicit Stopwatch(double &seconds) : seconds_(seconds) {}
@@ -51,7 +51,7 @@ std::vector<rewrite::Kernel> wanted_kernels(rewrite::Result const &rewritten, Fr
   return wanted;
 }
 
-// What the flags of one entry for a source have, and those of another have not.
+// Flags that one entry for a source has and another lacks.
 std::string words_apart(std::vector<std::string> const &one, std::vector<std::string> const &other) {
   std::string text;
   for (std::string const &word : one)
@@ -59,7 +59,7 @@ std::string words_apart(std::vector<std::string> const &one, std::vector<std::st
   return text.empty() ? "no flags of its own" : "'" + text + "'";
 }
 
-// What is built of the rewritten and of the excluded sources.
+// Build request for the rewritten and the excluded sources.
 BuildRequest build_request(FrontRequest const &request, rewrite::Result const &rewritten) {
   BuildRequest build = request.build;
   build.type_name = rewritten.type_name;
@@ -68,7 +68,7 @@ BuildRequest build_request(FrontRequest const &request, rewrite::Result const &r
   build.reading_seconds = rewritten.reading_seconds;
   std::set<std::pair<std::string, std::vector<std::string>>> unreached;
   for (rewrite::Compilation const &one : rewritten.unreached) unreached.emplace(rewrite::real_source(one), one.flags);
-  std::map<std::string, std::vector<std::string>> known; // with their flags
+  std::map<std::string, std::vector<std::string>> known; // sources with their flags
   for (rewrite::Compilation const &one : rewrite::compilations_of(request.source)) {
     std::string const real = rewrite::real_source(one);
     if (unreached.contains({real, one.flags})) continue;
@@ -99,7 +99,7 @@ bool is_by_hand(rewrite::Result const &rewritten) {
                      [](rewrite::Kernel const &kernel) { return kernel.by_hand; });
 }
 
-// In its text, beside the flags.
+// Does the text itself, apart from flags, change arithmetic?
 bool has_own_arithmetic(rewrite::Result const &rewritten) {
   return std::ranges::any_of(rewritten.diagnostics,
                              [](Diagnostic const &one) { return one.id == DiagnosticId::arithmetic_left_out; });
@@ -154,7 +154,7 @@ bool rewrite_sources(FrontRequest const &request, Front &front, Talk const &talk
   rewrite::Request source = request.source;
   source.annotations_only = request.run.from_instructions;
   front.rewritten = rewrite::run(source);
-  // The compiler's messages and debug information are read here, wherever it runs.
+  // Messages and debug information are read in this directory, wherever the compiler runs.
   for (rewrite::File &file : front.rewritten.files) file.compiled_name = file.display_path;
   if (!report_all(front.rewritten.diagnostics, talk.report)) return false;
   if (source.annotations_only) require_instructions(front.rewritten);
@@ -176,7 +176,7 @@ bool build_programs(FrontRequest const &request, Front &front, Talk const &talk)
   Stopwatch const watch(front.build_seconds);
   front.workspace = std::make_unique<Workspace>(request.keep);
   BuildRequest parts = build_request(request, front.rewritten);
-  CSources c; // that become C++
+  CSources c; // C sources, compiled as C++
   if (!request.run.from_instructions)
     c = as_in_c(front.rewritten, parts.sources, {parts.compiler}, {parts.c_compiler}, parts.type_name,
                 *front.workspace);

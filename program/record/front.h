@@ -1,4 +1,4 @@
-// The front half of every run on sources, in three stages:
+// Front end of every run on sources, in three stages:
 //
 //   sources ──rewrite──▶ overlay ──build──▶ symbolic program ──run──▶ recorded graphs
 //                           └─────build──▶ replay program
@@ -16,23 +16,23 @@
 namespace symreal::program {
 
 struct FrontRequest {
-  rewrite::Request source; // those that it excludes are compiled as they are
-  BuildRequest build;      // the compiler and linking; the sources follow from the above
+  rewrite::Request source; // excluded sources are compiled unchanged
+  BuildRequest build;      // compilers and linking; its sources follow from `source`
   RunOptions run;
-  std::string kernel;                   // only this one; empty: all
-  std::vector<std::string> called = {}; // only these, by name, if there are any: a driver program calls them
-  bool keep = false;                    // leave the workspace
-  bool replay = false;                  // build what verification runs too
-  bool branches = false;                // with that: and what counts branches
+  std::string kernel;                   // record only this kernel; empty: all
+  std::vector<std::string> called = {}; // record only these kernels, which a driver program calls; empty: all
+  bool keep = false;                    // keep the workspace
+  bool replay = false;                  // also build the programs for verification
+  bool branches = false;                // with `replay`: also build the program that counts branches
 };
 
-// How a run talks to its user.
+// Callbacks by which a run reports to the user.
 struct Talk {
   std::function<void(std::string_view stage)> stage;
   std::function<void(Diagnostic const &)> report;
   LineSink program_output;
   std::function<void(std::string const &)> note;
-  // What the pragma of a kernel that was refused lacks; may be none.
+  // Reports a refused kernel whose pragma lacks clauses; may be null.
   std::function<void(Recorded const &)> lacking = {};
 };
 
@@ -40,37 +40,37 @@ struct Front {
   std::unique_ptr<Workspace> workspace; // holds the executables
   std::unique_ptr<Overlay> overlay;
   rewrite::Result rewritten;
-  std::vector<rewrite::Kernel> wanted; // of the sources' kernels those that are asked for
+  std::vector<rewrite::Kernel> wanted; // requested kernels of the sources
   BuildRequest build;
-  rewrite::Result annotated; // the original's text with its annotations, for verification
+  rewrite::Result annotated; // annotated text of the original, for verification
   std::string symbolic_program, replay_program;
-  std::string original_program;       // empty for a main that was written by hand with REAL: the replay is its original
-  std::vector<std::string> own_flags; // those of the user that may change the numbers
-  std::string own_flags_program;      // empty when there are none
-  CoveredProgram covered;             // where it was asked for
+  std::string original_program;       // empty if main is hand-written with REAL: the replay program is the original
+  std::vector<std::string> own_flags; // the user's flags that may change numbers
+  std::string own_flags_program;      // empty without such flags
+  CoveredProgram covered;             // if requested
   std::vector<Recorded> kernels;      // at least one, names distinct
-  std::vector<std::string> read;      // the files that it was made from
+  std::vector<std::string> read;      // files that the graphs were made from
   double rewrite_seconds = 0, build_seconds = 0, run_seconds = 0;
 };
 
-// The stages: each goes on from the one before, and is false when an error was reported. They also throw
-// DiagnosticError.
+// The stages, in order; each continues from the previous one, and returns false after reporting an error. They also
+// throw DiagnosticError.
 //
-// Source to text with REAL in place of double.
+// Rewrites the sources: REAL replaces double.
 bool rewrite_sources(FrontRequest const &request, Front &front, Talk const &talk);
-// Text to programs: the symbolic one, and those that verification runs.
+// Builds the symbolic program and the programs for verification.
 bool build_programs(FrontRequest const &request, Front &front, Talk const &talk);
-// The symbolic program, run once, to graphs.
+// Runs the symbolic program once and reads the recorded graphs.
 bool record_kernels(FrontRequest const &request, Front &front, Talk const &talk);
 
-// What a recording of instructions needs of the machine and of the program. Throws oracle_not_possible.
+// Checks that machine and program permit recording from instructions. Throws oracle_not_possible.
 void require_instructions(rewrite::Result const &annotated);
 
-// How the front's programs run. Which kernel comes first is not known before the run, so one among several is waited
-// for to the program's end.
+// Options for running the front's programs. The order of kernels is unknown before the run, so a single kernel among
+// several requires running to the program's end.
 RunOptions run_of(Front const &front, RunOptions run);
 
-// All three. Nothing when an error was reported.
+// Runs all three stages. Nullopt after an error was reported.
 std::optional<Front> run_front(FrontRequest const &request, Talk const &talk);
 
 } // namespace symreal::program

@@ -18,7 +18,7 @@ MemoryFile::MemoryFile(MemoryFile &&other) noexcept
     : path_(std::move(other.path_)),
       descriptor_(std::exchange(other.descriptor_, -1)) {}
 
-// The file is gone with its last descriptor.
+// The file vanishes with its last descriptor.
 MemoryFile::~MemoryFile() {
   if (descriptor_ < 0) return;
   std::error_code ignored;

@@ -1,7 +1,6 @@
-// A file in memory behind an ordinary name.
+// A file in memory with a path in the file system.
 //
-// A graph of a hundred million nodes is two gigabytes. On a disk it would be written out in the middle of the run, for
-// a reader that comes a moment later.
+// A graph of a hundred million nodes takes two gigabytes; a disk file would be written out although it is read at once.
 #pragma once
 
 #include <string>
@@ -10,8 +9,8 @@ namespace symreal::program {
 
 class MemoryFile {
 public:
-  // Other processes of the same user open it by this path. Where the system has no such files nothing is made: who
-  // opens the path to write makes an ordinary file.
+  // Other processes of the same user open it by this path. Without system support nothing is created, and opening the
+  // path for writing creates an ordinary file.
   explicit MemoryFile(std::string path);
   ~MemoryFile();
   MemoryFile(MemoryFile &&other) noexcept;

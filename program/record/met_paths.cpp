@@ -15,7 +15,7 @@ namespace {
 
 struct Cell {
   std::string text;
-  unsigned column; // where it begins, from 1
+  unsigned column; // first column, from 1
 };
 
 std::vector<Cell> cells_of(std::string_view line) {
@@ -35,7 +35,7 @@ std::vector<Cell> cells_of(std::string_view line) {
   fail(DiagnosticId::paths_met_file, {file, static_cast<unsigned>(line), column}, why);
 }
 
-// Which column each name has. All must be there, or none where that is allowed.
+// Column of each name. All names must be present; or, if `may_lack`, none.
 std::vector<std::size_t> columns_of(std::vector<std::string> const &names, std::vector<Cell> const &header,
                                     bool may_lack, std::string const &file, std::string const &kernel) {
   std::vector<std::size_t> columns;
@@ -122,7 +122,7 @@ void MetPaths::note(RecordedPath &path) const {
 std::optional<Outcomes> MetPaths::correction(RecordedPath const &path) {
   Outcomes outcomes;
   for (DecidedStep const &step : path.steps) {
-    if (step.is_assumed) continue; // no outcome is prescribed for it
+    if (step.is_assumed) continue; // assumed decisions have no prescribed outcome
     bool const is_one_sided = step.is_met[0] != step.is_met[1];
     if (is_one_sided && (step.is_joined || !step.is_met[step.outcome])) return outcomes + (step.is_met[1] ? 't' : 'f');
     outcomes += step.is_joined ? 'j' : step.outcome ? 't' : 'f';

@@ -1,8 +1,8 @@
-// --paths-met: under policies explore and auto, the paths that given samples take become code, and a guard refuses each
-// branch that none of them takes.
+// --paths-met: under policies explore and auto, restricts code to the paths that given samples take; a guard refuses
+// each other branch.
 //
 //   x[0],x[1],m      a table: the names of inputs and parameters as `generate` prints them, in any order; further
-//   0.5,1,2.5        columns are not looked at; without columns for parameters these have their recorded values
+//   0.5,1,2.5        columns are ignored; without columns for parameters they have their recorded values
 #pragma once
 
 #include "engine/ops/floating_point.h"
@@ -15,20 +15,20 @@
 
 namespace symreal::program {
 
-// Throws unreadable_file, paths_met_file.
+// Reads a table of samples. Throws unreadable_file, paths_met_file.
 std::vector<Sample> read_sample_table(std::string const &file, Graph const &graph);
 
 class MetPaths {
 public:
-  // The recorded sample counts as one of them.
+  // The recorded sample counts as a given one.
   MetPaths(std::string file, Graph const &graph);
   std::size_t samples() const { return samples_.size() - 1; }
 
-  // Notes at each decision of the path which ways samples go that come by.
+  // Notes at each decision of the path which outcomes the samples that reach it have.
   void note(RecordedPath &path) const;
-  // The outcomes up to the first decision that samples leave otherwise than the path does, and theirs.
+  // Outcomes up to the first decision where all samples leave the path, with theirs; nullopt if they follow it.
   static std::optional<Outcomes> correction(RecordedPath const &path);
-  // Throws paths_outside where no given sample lies within the premises and the guards of the whole.
+  // Throws paths_outside if no given sample satisfies the premises and all guards of the merged graph.
   void require_inside(Graph const &graph, FloatingPoint mode, Place const &place) const;
 
 private:

@@ -11,7 +11,7 @@ using Position = std::tuple<std::string, unsigned, unsigned>;
 
 Position position(Place const &place) { return {place.file, place.line, place.column}; }
 
-// Finds the statement around a place. Statements do not overlap partly; the one that begins last is innermost.
+// Finds the innermost statement around a place: the one that begins last, since statements nest or are disjoint.
 class Statements {
 public:
   explicit Statements(std::vector<rewrite::NamedStatement> const &statements) {
@@ -19,7 +19,7 @@ public:
   }
 
   rewrite::NamedStatement const *around(Place const &place) const {
-    constexpr int most_nested = 8; // a value that assigns within, and so on
+    constexpr int most_nested = 8; // nesting of assignments in values
     auto at = by_begin_.upper_bound(position(place));
     for (int i = 0; i < most_nested && at != by_begin_.begin(); ++i) {
       --at;
@@ -47,7 +47,7 @@ void name_nodes(Graph &graph, std::vector<rewrite::NamedStatement> const &all) {
     LocationId location = graph.node_location[id];
     return location == no_location ? nullptr : by_location[location];
   };
-  rewrite::NamedStatement const *following = nullptr; // of the next operation
+  rewrite::NamedStatement const *following = nullptr; // statement of the following operation
   for (std::size_t id = graph.nodes.size(); id-- > 0;) {
     if (is_leaf(graph.nodes[id].op)) continue;
     rewrite::NamedStatement const *statement = statement_of(id);

@@ -1,4 +1,4 @@
-// Names from the source for the nodes of a recorded graph.
+// Source names for the nodes of a recorded graph.
 #pragma once
 
 #include "engine/graph/graph.h"
@@ -8,8 +8,8 @@
 
 namespace symreal::program {
 
-// Where a statement that names its value recorded several nodes in a row, the last of them is that value. The places of
-// the graph must be resolved.
+// Names nodes: if a statement that names its value recorded several consecutive nodes, the last one is the value. The
+// places of the graph must be resolved.
 void name_nodes(Graph &graph, std::vector<rewrite::NamedStatement> const &statements);
 
 } // namespace symreal::program

@@ -23,7 +23,7 @@ std::string line_of(Graph const &graph, NodeId id) {
   return place.file.empty() ? "" : fmt::format("{}:{}", place.file, place.line);
 }
 
-// What a node is worth on a few samples: operations with the same values are taken for the same.
+// Values of a node on a few samples; operations with equal values count as equal.
 using Values = std::vector<std::uint64_t>;
 
 class ValuesOfNodes {
@@ -36,13 +36,13 @@ public:
       active_.resize(values.size());
     }
     for (NodeId id = 0; id < values.size(); ++id) {
-      values_[id].push_back(std::bit_cast<std::uint64_t>(std::fabs(values[id]))); // clang moves signs about
+      values_[id].push_back(std::bit_cast<std::uint64_t>(std::fabs(values[id]))); // absolute: clang moves signs
       active_[id] |= active[id];
     }
   }
   bool is_full() const { return samples_ == most_samples; }
   std::set<Values> all() const { return {values_.begin(), values_.end()}; }
-  // The active operations whose values are none of these, by their lines.
+  // Counts the active operations whose values are not among `known`, by source line.
   std::map<std::string, std::size_t> others(Graph const &graph, std::set<Values> const &known) const {
     std::map<std::string, std::size_t> lines;
     for (NodeId id = 0; id < values_.size(); ++id)
@@ -56,12 +56,12 @@ private:
   std::vector<char> active_;
 };
 
-// A recording, evaluated sample by sample.
+// Evaluator of one recording, sample by sample.
 class Side {
 public:
   Side(Graph const &graph, FloatingPoint mode) : graph_(graph), mode_(mode) {}
 
-  // Whether the sample lies within the premises and the guards.
+  // Does the sample satisfy the premises and all guards?
   bool evaluate(Sample const &sample) {
     values_ = symreal::evaluate(graph_, sample.inputs, sample.parameters);
     evaluation_ = evaluation_of(graph_, values_);
@@ -126,7 +126,7 @@ OracleComparison compare_recordings(Graph const &graph, Graph const &oracle, Ora
   for (std::size_t k = 0; k < options.samples; ++k) {
     Sample sample = k == 0 ? first : source.next();
     bool is_inside = are_inside(sample);
-    // Nearer to the recorded sample more guards hold.
+    // Moves towards the recorded sample, where more guards hold.
     for (int step = 0; step < most_steps && !is_inside && !oracle.guards.empty(); ++step) {
       approach(sample.inputs, first.inputs);
       approach(sample.parameters, first.parameters);

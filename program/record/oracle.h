@@ -1,5 +1,5 @@
-// The oracle: a second recording that shares nothing with the rewriter but the places of the annotations. Clang
-// compiles the original, a pass (rewrite/instrument/plugin.cpp) makes its instructions on doubles record themselves.
+// The oracle: a second recording, independent of the rewriter except for the places of annotations. Clang compiles the
+// original, and a pass (rewrite/instrument/plugin.cpp) makes its instructions on doubles record themselves.
 #pragma once
 
 #include "program/record/front.h"
@@ -12,9 +12,9 @@
 
 namespace symreal::program {
 
-// Builds and records the kernels of the front from the instructions of their original, in their order; a decision is a
-// guard. The recorder's diagnostics come with them. Throws oracle_not_possible, also where a kernel calls functions of
-// the program, and build_failed.
+// Records the front's kernels from the instructions of their original, in their order; decisions become guards. The
+// recorder's diagnostics are included. Throws oracle_not_possible, also for kernels that call functions of the program,
+// and build_failed.
 Recording record_instructions(Front const &front, RunOptions run, LineSink const &sink);
 
 struct OracleOptions {
@@ -23,17 +23,17 @@ struct OracleOptions {
   FloatingPoint mode = FloatingPoint::finite;
 };
 
-// Two recordings of one kernel.
+// Comparison of two recordings of one kernel.
 struct OracleComparison {
   std::size_t operations = 0, oracle_operations = 0;
-  std::size_t samples = 0; // within the premises of the mode and the guards of both
-  std::size_t outside = 0; // the others
+  std::size_t samples = 0; // samples within the premises of the mode and the guards of both recordings
+  std::size_t outside = 0; // other samples
   std::vector<OutputComparison> outputs;
-  // Source lines of operations that the oracle needs and whose values are none of the recorded graph's: how many.
+  // Per source line: operations that the oracle needs and whose values the recorded graph lacks.
   std::map<std::string, std::size_t> only_oracle;
 };
 
-// Throws oracle_mismatch for another shape.
+// Throws oracle_mismatch if the interfaces differ.
 OracleComparison compare_recordings(Graph const &graph, Graph const &oracle, OracleOptions const &options);
 
 } // namespace symreal::program

@@ -1,4 +1,4 @@
-// One guard for each condition, however many paths need it.
+// Guards of a path tree: one for each condition, however many paths need it.
 #include "engine/graph/guard_words.h"
 #include "program/record/path_tree.h"
 
@@ -19,7 +19,7 @@ void PathTree::add_guards() {
     std::ranges::sort(needed.at);
     all.push_back(std::move(needed));
   }
-  std::ranges::stable_sort(all, {}, [](Needed const &one) { return one.at.front(); }); // as the program decides
+  std::ranges::stable_sort(all, {}, [](Needed const &one) { return one.at.front(); }); // in program order
   for (Needed &one : all) {
     NodeId const asked = asked_at_root(one);
     if (asked != one.guard.condition)
@@ -30,9 +30,9 @@ void PathTree::add_guards() {
   }
 }
 
-// Under which conditions a program comes to this node of the tree, without those that are guards themselves.
+// Conditions under which the program reaches this node of the tree, except those that are guards themselves.
 std::string PathTree::where(std::size_t at) const {
-  constexpr std::size_t most = 4; // conditions in words
+  constexpr std::size_t most = 4; // conditions shown
   std::vector<std::string> words;
   std::size_t count = 0;
   for (; tree_[at].parent != none; at = tree_[at].parent) {
@@ -48,9 +48,9 @@ std::string PathTree::where(std::size_t at) const {
   return text;
 }
 
-// That the condition holds, or that the program comes to no node of the tree that needs it.
+// Condition at the root: the guard's condition holds, or the program reaches no node of the tree that needs it.
 NodeId PathTree::asked_at_root(Needed const &needed) {
-  std::map<std::size_t, NodeId, std::greater<>> asked; // by node of the tree, branches before their decision
+  std::map<std::size_t, NodeId, std::greater<>> asked; // by node of the tree; branches before their decision
   for (std::size_t at : needed.at)
     for (std::size_t above = at; above != none; above = tree_[above].parent) asked[above] = no_node;
   for (std::size_t at : needed.at) asked[at] = needed.guard.condition;
@@ -66,9 +66,9 @@ NodeId PathTree::asked_at_root(Needed const &needed) {
   return asked.rbegin()->second;
 }
 
-// What the branches of a decision ask for does not depend on it where they ask for the same. no_node asks for nothing.
+// Combines the conditions of a decision's branches; equal ones do not depend on the decision. no_node: no condition.
 NodeId PathTree::asked_at(Node const &decision, NodeId yes, NodeId no) {
-  auto const unless = [&](bool outcome, NodeId asked) { // an open branch is refused anyway
+  auto const unless = [&](bool outcome, NodeId asked) { // an open branch has a guard of its own
     if (asked == no_node || is_open(decision, outcome)) return asked;
     return record(Op::logical_or, outcome ? decision.condition : negated(decision.condition), asked);
   };

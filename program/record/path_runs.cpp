@@ -43,7 +43,7 @@ PathRun run_along(std::string const &path_variable, std::size_t kernel, std::str
   Command program = recording_command(executable, options, directory);
   program.environment.push_back(path_variable);
   program.environment.push_back("SYMREAL_KERNELS=" + std::to_string(kernel + 1));
-  Outcome const end = run(program, [](std::string_view) {}); // what it prints is that of another path
+  Outcome const end = run(program, [](std::string_view) {}); // discards the output, which belongs to another path
   PathRun result{read_events(directory + "/events")};
   result.is_late = end.ending == Ending::timed_out;
   result.seconds = end.seconds;

@@ -23,7 +23,7 @@ bool is_same(Frozen const &a, Frozen const &b) {
   return a.name == b.name && to_string(a.place) == to_string(b.place) && all_same_bits(a.values, b.values);
 }
 
-// Adds what is not there yet. Returns the index that each has now.
+// Adds missing elements to `all`. Returns the index of each element of `more`.
 template <class T> std::vector<double> unite(std::vector<T> &all, std::vector<T> const &more) {
   std::vector<double> now;
   for (T const &one : more) {
@@ -75,7 +75,7 @@ bool PathTree::add(RecordedPath path) {
       at = branch;
     }
   }
-  if (tree_[at].condition != no_node || !tree_[at].results.empty()) return false; // a path ends where others decide
+  if (tree_[at].condition != no_node || !tree_[at].results.empty()) return false; // the path ends where others decide
   if (!path.is_cut_off) take_whole(path.graph, now, tree_[at]);
   return true;
 }
@@ -90,7 +90,7 @@ std::vector<NodeId> PathTree::take_nodes(Graph const &graph) {
   for (std::size_t id = 0; id < graph.nodes.size(); ++id) {
     NodeId const merged = table_.intern(taken(graph, graph.nodes[id], now, tables, externals));
     now.push_back(merged);
-    if (merged == node_location_.size()) { // it is new
+    if (merged == node_location_.size()) { // the node is new
       bool const is_placed = !graph.node_location.empty() && graph.node_location[id] != no_location;
       node_location_.push_back(is_placed ? at[graph.node_location[id]] : no_location);
       node_exact_.push_back(0);
@@ -100,7 +100,7 @@ std::vector<NodeId> PathTree::take_nodes(Graph const &graph) {
   return now;
 }
 
-// With its operands of the merged graph. Tables and functions are known by number.
+// The node with operands of the merged graph. Tables and functions are constants with their numbers.
 symreal::Node PathTree::taken(Graph const &graph, symreal::Node const &node, std::vector<NodeId> const &now,
                               std::vector<double> const &tables, std::vector<double> const &externals) {
   if (is_leaf(node.op)) return node;
@@ -135,7 +135,7 @@ void PathTree::take_whole(Graph &graph, std::vector<NodeId> const &now, Node &en
 }
 
 std::optional<Outcomes> PathTree::next() const {
-  // The newest decisions of which one branch is untaken are the deepest of the newest path.
+  // The newest decision with an untaken branch is the deepest of the newest path.
   for (std::size_t at = tree_.size(); at-- > 0;) {
     Node const &node = tree_[at];
     if (node.condition == no_node || node.is_assumed || node.is_joined) continue;
@@ -175,12 +175,12 @@ NodeId PathTree::negated(NodeId condition) {
   return table_[condition].op == Op::logical_not ? table_[condition].operand[0] : record(Op::logical_not, condition);
 }
 
-// Whether no path that comes to the kernel's end takes this branch.
+// Does no path that reaches the kernel's end take this branch?
 bool PathTree::is_open(Node const &decision, bool outcome) const {
   return decision.branches[outcome] == none || tree_[decision.branches[outcome]].is_open;
 }
 
-// What the branches of a decision give.
+// Joins the results of a decision's branches.
 void PathTree::join(std::size_t at) {
   Node &node = tree_[at];
   if (node.is_joined) {
@@ -211,7 +211,7 @@ void PathTree::join(std::size_t at) {
 }
 
 Graph PathTree::merge() {
-  // Branches come behind their decision.
+  // Visits branches before their decision.
   for (std::size_t at = tree_.size(); at-- > 0;) {
     if (tree_[at].condition != no_node) join(at);
     for (Guard &guard : tree_[at].guards) need(std::move(guard), at);

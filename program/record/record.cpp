@@ -28,7 +28,7 @@ bool is_begun(rewrite::Kernel const &kernel, std::vector<std::string> const &sta
   });
 }
 
-// Where the state was first read, and on whose behalf.
+// Notes on where the state was first read, with the call path.
 std::vector<Note> read_notes(Frozen const &state, FrozenRead const &read, Symbolizer &symbolizer) {
   constexpr std::size_t most = 4;
   std::vector<Note> notes;
@@ -56,7 +56,7 @@ void locate_frozen(Recorded &recorded, std::vector<FrozenRead> const &reads, Sym
              !met.contains(&one);
     });
     if (read != reads.end()) met.insert(&*read);
-    // What comes from outside of the program is met where the program calls for it.
+    // State from outside the program gets the place of the program's call.
     if (read != reads.end() && state.place.file.empty())
       state.place = own_place(read->addresses, symbolizer).value_or(Place());
     recorded.frozen_reads.push_back(read == reads.end() ? std::vector<Note>() : read_notes(state, *read, symbolizer));
@@ -69,7 +69,7 @@ std::string key(Location const &location) {
   return text;
 }
 
-// Several pieces of code may stand for one place.
+// Merges locations that denote the same places: several pieces of code may share one.
 void merge_equal_locations(Graph &graph) {
   std::vector<Location> merged;
   std::vector<LocationId> now;
@@ -85,7 +85,7 @@ void merge_equal_locations(Graph &graph) {
   for (Guard &guard : graph.guards) move(guard.location);
 }
 
-// The innermost place in a rewritten file comes first: it is where the user can act.
+// Resolves locations to places. The innermost place in a rewritten file, where the user can act, comes first.
 void resolve(Graph &graph, Symbolizer &symbolizer) {
   for (Location &location : graph.locations) {
     std::vector<Frame> frames = symbolizer.frames(location.addresses);
@@ -97,7 +97,7 @@ void resolve(Graph &graph, Symbolizer &symbolizer) {
   merge_equal_locations(graph);
 }
 
-// Why a kernel that was asked for is missing, from how the program ended.
+// Explains, by how the program ended, why a requested kernel is missing.
 Diagnostic explain_missing(rewrite::Kernel const &kernel, bool begun, Outcome const &outcome) {
   Diagnostic diagnostic{DiagnosticId::kernel_not_reached, kernel.place, ""};
   if (!kernel.annotations.empty()) diagnostic.place = kernel.annotations.front().place;
@@ -120,7 +120,7 @@ Diagnostic explain_missing(rewrite::Kernel const &kernel, bool begun, Outcome co
                                      strsignal(outcome.status), waited_for);
     if (outcome.status == SIGKILL) diagnostic.message += "; the system does that when memory runs out";
     break;
-  case Ending::over_limit: // the program has none
+  case Ending::over_limit: // unreachable: the program has no such limit
   case Ending::exited:
     diagnostic.message =
         fmt::format("the program ended with status {} and never reached {}", outcome.status, waited_for);
@@ -134,11 +134,11 @@ bool has_error(std::vector<Diagnostic> const &diagnostics) {
                      [](Diagnostic const &diagnostic) { return diagnostic.severity == Severity::error; });
 }
 
-// Behind the last complaint about what the kernel leaves.
+// Adds the lacking clauses to the last diagnostic about state that the kernel leaves.
 void add_clauses(Recorded const &recorded, std::vector<Diagnostic> &diagnostics) {
   bool const leaves = std::any_of(recorded.clauses.begin(), recorded.clauses.end(),
                                   [](auto const &one) { return one.first != "input" && one.first != "constant"; });
-  if (!leaves) return; // what is only read is the option's matter
+  if (!leaves) return; // --frozen handles state that is only read
   auto const last = std::find_if(diagnostics.rbegin(), diagnostics.rend(),
                                  [](Diagnostic const &one) { return one.id == DiagnosticId::state_not_output; });
   if (last == diagnostics.rend()) return;
@@ -150,7 +150,7 @@ void add_clauses(Recorded const &recorded, std::vector<Diagnostic> &diagnostics)
         {recorded.kernel.place, "only a kernel in their own file can name these static variables: " + found->second});
 }
 
-// Of a program whose sources are not at hand.
+// Kernels of a program whose sources are unavailable.
 std::vector<rewrite::Kernel> kernels_of(Events const &events) {
   std::vector<rewrite::Kernel> kernels;
   for (RecordedKernel const &recorded : events.kernels) {
@@ -160,7 +160,7 @@ std::vector<rewrite::Kernel> kernels_of(Events const &events) {
   return kernels;
 }
 
-// Under policy auto, of a kernel that needed no exploration as well.
+// Sets the decided places under policy auto, also for a kernel that needed no exploration.
 void tell_places(Graph const &graph, Symbolizer &symbolizer, std::optional<Exploration> &exploration) {
   if (!exploration) exploration.emplace().paths = 1;
   exploration->guards = graph.guards.size();
@@ -177,7 +177,7 @@ bool is_same_place(Diagnostic const &a, Diagnostic const &b) {
   return a.id == b.id && to_string(a.place) == to_string(b.place);
 }
 
-// What a run has to say that no run before it said.
+// Adds the diagnostics that no earlier run gave.
 void add_news(std::vector<Diagnostic> news, std::vector<Diagnostic> &all) {
   for (Diagnostic &one : news)
     if (std::none_of(all.begin(), all.end(), [&](Diagnostic const &known) { return is_same_place(known, one); }))
@@ -195,7 +195,7 @@ void add_news(std::vector<FrozenRead> const &news, std::vector<FrozenRead> &all)
 
 } // namespace
 
-// In the words of what asks for the kernel: a pragma, a call, or an entry of the configuration, which may be either.
+// Phrases the clauses as the kernel was requested: by a pragma, a call, or a configuration entry, which may be either.
 Note clause_note(rewrite::Kernel const &kernel, Clauses const &clauses, std::string const &behind) {
   std::string pragma, entry, items, outputs;
   for (std::string const clause : {"input", "output", "constant", "scratch"}) {
@@ -229,7 +229,7 @@ Recording record(std::string const &executable, RunOptions const &options, rewri
   if (bounds) program.environment.push_back(path_variable(0, {}, false, *bounds, 0));
   if (!options.run_on && !wanted.empty())
     program.environment.push_back("SYMREAL_KERNELS=" + std::to_string(wanted.size()));
-  std::vector<MemoryFile> files; // as the program will name them
+  std::vector<MemoryFile> files; // named as the program will name them
   for (std::size_t k = 0; k < std::max<std::size_t>(wanted.size(), 1); ++k)
     files.emplace_back(directory + "/" + std::to_string(k) + ".graph");
   Outcome outcome = run(program, sink);
@@ -242,7 +242,7 @@ Recording record(std::string const &executable, RunOptions const &options, rewri
   DecidingTexts const texts(rewritten.deciding);
   for (Diagnostic &one : explain_met(events, symbolizer, texts)) recording.diagnostics.push_back(std::move(one));
   bool explained = has_error(recording.diagnostics);
-  // Along a path of a kernel; nothing where that meets an error.
+  // Runs along a path of a kernel; nullopt after an error.
   auto run_path = [&](std::size_t kernel, std::string const &path, RunOptions const &along) -> std::optional<PathRun> {
     PathRun one = run_along(path, kernel, executable, along, workspace.directory("path"));
     add_news(one.events.diagnostics, recording.diagnostics);
@@ -263,7 +263,7 @@ Recording record(std::string const &executable, RunOptions const &options, rewri
                               [&](RecordedKernel const &recorded) { return is_recording_of(recorded, kernel); });
     if (found != events.kernels.end()) {
       Graph graph = read_binary_graph(directory + "/" + found->graph_file);
-      if (kernels.size() == 1) files.clear(); // what follows needs the memory
+      if (kernels.size() == 1) files.clear(); // frees memory for the next steps
       std::optional<Exploration> exploration;
       auto const number = static_cast<std::size_t>(found - events.kernels.begin());
       if (bounds && !explained && is_to_explore(events, number)) {

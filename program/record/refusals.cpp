@@ -3,7 +3,7 @@
 namespace symreal::program {
 namespace {
 
-// The innermost of the conditions around the place is the one that begins last.
+// The innermost condition around the place: the one that begins last.
 rewrite::Refusal const *find(Place const &place, std::vector<rewrite::Refusal> const &refusals) {
   rewrite::Refusal const *found = nullptr;
   for (rewrite::Refusal const &one : refusals) {

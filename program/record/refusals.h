@@ -1,4 +1,4 @@
-// Why a decision that was met has not become a select: what the rewriter found in its way.
+// Explanations of decisions that did not become selects: what the rewriter found in the way.
 #pragma once
 
 #include "engine/diagnostics/diagnostic.h"
@@ -8,7 +8,7 @@
 
 namespace symreal::program {
 
-// Each diagnostic about a decision gets a note at the token that blocks its `if`, `?:` or loop.
+// Adds to each diagnostic about a decision a note at the token that blocks its `if`, `?:` or loop.
 void explain_refusals(std::vector<Diagnostic> &diagnostics, std::vector<rewrite::Refusal> const &refusals);
 
 } // namespace symreal::program

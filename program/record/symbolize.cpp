@@ -14,7 +14,7 @@ struct Symbolizer::Engine {
 
   static llvm::symbolize::LLVMSymbolizer::Options options() {
     llvm::symbolize::LLVMSymbolizer::Options options;
-    // As the #line directives of the overlay spell them.
+    // Paths as the overlay's #line directives spell them.
     options.PathStyle = llvm::DILineInfoSpecifier::FileLineInfoKind::RelativeFilePath;
     options.RelativeAddresses = true;
     options.UseSymbolTable = false;
@@ -29,19 +29,19 @@ Symbolizer::Symbolizer(std::string executable, Overlay const &overlay)
       engine_(std::make_unique<Engine>()) {}
 Symbolizer::~Symbolizer() = default;
 
-// The frames of RealNumber and of the recorder lead to the user's place and say nothing themselves. What is inlined
-// there goes by a short name, so files count, too.
+// Is this a frame of RealNumber or the recorder, which carries no information? Inlined functions have short names, so
+// files count, too.
 static bool is_runtime(llvm::DILineInfo const &info) {
   std::string_view const file = info.FileName;
   return info.FunctionName.starts_with("symreal::") || file.find("/runtime/trace/") != file.npos ||
          file.find("/include/symreal/") != file.npos;
 }
 
-// The function as the user's program has it.
+// Name of the function in the user's program.
 static std::string original_name(std::string function) {
   constexpr std::string_view real = "symreal::types::RealNumber";
   for (std::size_t at; (at = function.find(real)) != function.npos;) function.replace(at, real.size(), "double");
-  constexpr std::string_view renamed = "symreal_"; // a keyword of C++ that is a name in C
+  constexpr std::string_view renamed = "symreal_"; // prefix of C names that are keywords of C++
   if (function.starts_with(renamed)) function.erase(0, renamed.size());
   return function;
 }
@@ -50,7 +50,7 @@ std::vector<Frame> Symbolizer::frames(std::vector<std::uint64_t> const &return_a
   std::vector<Frame> frames;
   for (std::uint64_t address : return_addresses) {
     if (address == 0) continue;
-    // One before the return address lies within the call.
+    // The byte before the return address lies within the call.
     llvm::object::SectionedAddress call{address - 1, llvm::object::SectionedAddress::UndefSection};
     auto found = engine_->symbolizer.symbolizeInlinedCode(executable_, call);
     if (!found) {

@@ -1,4 +1,4 @@
-// Addresses of the symbolic program as places in the user's source, inline frames included.
+// Symbolizer: maps addresses of the symbolic program to places in the user's source, with inline frames.
 #pragma once
 
 #include "program/build/overlay.h"
@@ -12,8 +12,8 @@ namespace symreal::program {
 
 struct Frame {
   std::string function; // demangled
-  Place place;          // in the user's source where that is known
-  bool rewritten;       // it stands in a rewritten file
+  Place place;          // in the user's source, if known
+  bool rewritten;       // the place is in a rewritten file
 };
 
 class Symbolizer {
@@ -21,8 +21,8 @@ public:
   Symbolizer(std::string executable, Overlay const &overlay);
   ~Symbolizer();
 
-  // The frames of return addresses (relative to the executable's load base, innermost first). Frames without debug
-  // information, those of the runtime among them, are left out.
+  // Frames of return addresses (relative to the load base, innermost first). Omits frames without debug information,
+  // including the runtime's.
   std::vector<Frame> frames(std::vector<std::uint64_t> const &return_addresses);
 
 private:

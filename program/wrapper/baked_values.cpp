@@ -21,11 +21,11 @@ using rewrite::Baked;
 
 bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
-// A shape of rewrite/model/baked_values.h, read.
+// A parsed shape of rewrite/model/baked_values.h.
 struct Shape {
   std::vector<std::size_t> extents;
-  char kind = 0;    // '{' where it has members
-  std::string name; // of a member
+  char kind = 0;    // '{' if it has members
+  std::string name; // member name
   std::vector<Shape> members;
 };
 
@@ -45,7 +45,7 @@ Shape read_shape(std::string_view &text) {
     text.remove_prefix(colon + 1);
     shape.members.push_back(read_shape(text));
     shape.members.back().name = std::move(name);
-    text.remove_prefix(1); // the semicolon
+    text.remove_prefix(1); // skips the semicolon
   }
   text.remove_prefix(1);
   return shape;
@@ -60,14 +60,14 @@ std::string written(Shape const &shape) {
   return text + "}";
 }
 
-// Calls `visit` with the name of each member that has none itself; a member for which it is false goes.
+// Calls `visit` with each leaf member; removes members for which it returns false.
 bool keep_members(Shape &shape, std::string const &name, std::function<bool(std::string const &, char)> const &visit) {
   if (shape.kind != '{') return visit(name, shape.kind);
   std::erase_if(shape.members, [&](Shape &member) { return !keep_members(member, member.name, visit); });
   return !shape.members.empty();
 }
 
-// The last name: `mode` of `p->mode`, `index` of `s.index[i]`.
+// Last name: `mode` of `p->mode`, `index` of `s.index[i]`.
 std::string last_word(std::string text) {
   while (text.ends_with(']')) text.erase(std::min(text.rfind('['), text.size()));
   std::size_t begin = text.size();
@@ -75,7 +75,7 @@ std::string last_word(std::string text) {
   return text.substr(begin);
 }
 
-// Loops over what an object consists of, around what `leaf` makes of each.
+// Loops over an object's values, around the statement that `leaf` gives for each.
 using Leaf = BakedLeaf;
 
 std::string loop(std::size_t depth, std::string const &count, std::string const &inner) {
@@ -110,7 +110,7 @@ std::string statements(Baked const &baked, std::vector<std::string> const &lengt
   return text;
 }
 
-// As 64 bits.
+// Value of an element as 64 bits.
 std::string value_of(std::string const &element, char kind) {
   switch (kind) {
   case 'd': return fmt::format("symreal_bits({})", element);
@@ -143,7 +143,7 @@ static __inline__ unsigned long long symreal_text(char const *symreal_string) {
 }
 )";
 
-// How two ranges lie: how far one begins from the other where they overlap.
+// Relative position of two ranges: the distance of their begins if they overlap.
 constexpr char const *apart =
     R"(static __inline__ unsigned long long symreal_apart(void const volatile *symreal_a, void const volatile *symreal_a_end, void const volatile *symreal_b, void const volatile *symreal_b_end) {
   __UINTPTR_TYPE__ const symreal_first = (__UINTPTR_TYPE__)symreal_a, symreal_second = (__UINTPTR_TYPE__)symreal_b;
@@ -152,7 +152,7 @@ constexpr char const *apart =
 }
 )";
 
-// In C++, from where to where the numbers of an object lie: its own, or those that it looks at.
+// In C++, address range of an object's numbers: its own, or those that it refers to.
 constexpr char const *ranges = R"(namespace {
 template <int symreal_n> struct symreal_order : symreal_order<symreal_n - 1> {};
 template <> struct symreal_order<0> {};
@@ -196,7 +196,7 @@ template <class symreal_T> void const volatile *symreal_high(symreal_T const &sy
 }
 )";
 
-// Visits the extents and the numbers of a container, whatever they are, as 64 bits each.
+// Visits extents and numbers of any container, as 64 bits each.
 constexpr char const *visits = R"(namespace {
 template <int symreal_n> struct symreal_rank : symreal_rank<symreal_n - 1> {};
 template <> struct symreal_rank<0> {};
@@ -277,7 +277,7 @@ bool symreal_is_other(symreal_T const &symreal_object, bool symreal_is_whole, un
 }
 )";
 
-// Helpers of a program that tells the values.
+// Helpers of the program that prints the values.
 constexpr char const *tellers_in_c = R"(
 char *symreal_environment(char const *) __asm__("getenv");
 int symreal_create(char const *, unsigned) __asm__("creat");
@@ -315,11 +315,11 @@ bool has_kind(std::vector<BakedObject> const &all, char kind) {
   });
 }
 
-// In C++, by templates.
+// Is the kind compared by templates of C++?
 bool is_walked(char kind) { return kind == '@' || kind == 'z'; }
 bool has_walked(std::vector<BakedObject> const &all) { return has_kind(all, '@') || has_kind(all, 'z'); }
 
-// How items lie that another call may bring together.
+// Adds the relative positions of items that may overlap in another call.
 void add_overlaps(Recorded &recorded) {
   rewrite::Kernel const &kernel = recorded.kernel;
   for (rewrite::Overlap const &one : kernel.signature.redefinition.overlaps) {
@@ -334,7 +334,7 @@ void add_overlaps(Recorded &recorded) {
 
 bool is_number(std::string const &text) { return text.find_first_not_of("0123456789") == text.npos; }
 
-// Of what an annotated object holds besides numbers, what the kernel has read counts.
+// Keeps, of the non-numeric parts of annotated objects, only those that the kernel has read.
 void keep_read(std::vector<BakedObject> &all, std::vector<Frozen> const &frozen) {
   std::vector<std::string> members, labels;
   for (BakedObject &one : all) {
@@ -368,7 +368,7 @@ void keep_read(std::vector<BakedObject> &all, std::vector<Frozen> const &frozen)
   });
 }
 
-// Frozen state that no clause names cannot be looked up again.
+// Requires that a clause names all frozen state: other state cannot be compared.
 void require_named(Recorded const &recorded) {
   for (Frozen const &one : recorded.graph.frozen) {
     bool const is_compared = std::ranges::any_of(
@@ -387,7 +387,7 @@ void require_named(Recorded const &recorded) {
                    reason));
 }
 
-// The file has its name from the environment: objects are kept from one run to the next.
+// Statements that print the values. The environment gives the file's name, since objects are cached across runs.
 std::string tell(Recorded const &recorded) {
   std::string text = "if (SYMREAL_ORIGINAL_IS_ACTIVE) { int const symreal_file = "
                      "symreal_create(symreal_environment(\"SYMREAL_BAKED\"), 0600); ";
@@ -469,7 +469,7 @@ void add_baked_values(Front const &front, RunOptions const &run, Recorded &recor
   read_values(recorded, path);
 }
 
-// Pointers first: what another one leads to is not looked at where it is null.
+// Compares pointers first: a null pointer must not be followed.
 std::string baked_checks(Recorded const &recorded, Otherwise otherwise) {
   std::string text;
   if (is_dropped("baked")) return text;

@@ -1,8 +1,8 @@
-// What a recording has baked in and each call may give anew: arguments that are no inputs, objects that `constant`
-// names, integers of annotated objects that the kernel has read.
+// Values that a recording bakes in although each call may change them: arguments that are not inputs, objects that
+// `constant` names, integers of annotated objects that the kernel reads.
 //
-// Their values are those that the recorded call of the original finds when it enters the kernel's function. A wrapper
-// compares them with what it is given.
+// The original's recorded call provides the values, on entry to the kernel's function. A wrapper compares them with
+// those of its own call.
 #pragma once
 
 #include "program/record/front.h"
@@ -11,24 +11,24 @@
 
 namespace symreal::program {
 
-// Fills in `baked` of a kernel of a function: builds the original, with statements that tell the values, and runs it.
-// Nothing is built where there is nothing to compare. Throws no_wrapper for what cannot be compared.
+// Fills in `baked` for a function kernel: builds the original with statements that print the values, and runs it.
+// Builds nothing if there are no values. Throws no_wrapper for values that cannot be compared.
 void add_baked_values(Front const &front, RunOptions const &run, Recorded &recorded);
 
-// Compares every value. Where it is another one, the call ends with a message, or symreal_same becomes 0.
+// Statements that compare every value. On a difference the call ends with a message, or symreal_same becomes 0.
 enum class Otherwise { refuse, remember };
 std::string baked_checks(Recorded const &recorded, Otherwise otherwise);
 
-// What the checks use, in blocks of lines of C99 or C++11; none where there is nothing to compare.
+// Helpers of the checks, in blocks of lines of C99 or C++11; empty if there is nothing to compare.
 std::vector<std::string> baked_helpers(Recorded const &recorded);
 
-// Is an object compared by its class, which takes <typeinfo>?
+// Does a check compare an object's class, which takes <typeinfo>?
 bool compares_classes(Recorded const &recorded);
 
-// The name of a check on how two items lie.
+// Name of a check on the overlap of two items.
 std::string overlap_label(rewrite::Overlap const &overlap);
 
-// Loops over the values of an object, around what `leaf` makes of each by its kind (rewrite/model/baked_values.h).
+// Loops over an object's values; `leaf` gives the statement on each, by its kind (rewrite/model/baked_values.h).
 using BakedLeaf = std::function<std::string(std::string const &element, char kind)>;
 std::string baked_statements(BakedObject const &object, BakedLeaf const &leaf);
 

@@ -13,7 +13,7 @@
 namespace symreal::program {
 namespace {
 
-// Lines stay where they are.
+// Joins the lines, so that line numbers stay.
 std::string on_one_line(std::string text) {
   std::replace(text.begin(), text.end(), '\n', ' ');
   return text;
@@ -36,7 +36,7 @@ std::string checks(Recorded const &recorded) {
   return text;
 }
 
-// `member`: of each variation, where it is made.
+// Statements that apply the chosen variation. `member`: where in the function.
 std::string variations(std::vector<Variation> const &all, std::string Variation::*member) {
   if (all.empty()) return "int const symreal_varied = 0; ";
   std::string text = "char const *const symreal_wish = symreal_environment(\"SYMREAL_VARY\"); "
@@ -47,7 +47,7 @@ std::string variations(std::vector<Variation> const &all, std::string Variation:
   return text;
 }
 
-// When the function begins.
+// Statements at the function's begin.
 std::string statements_before(Recorded const &recorded) {
   std::vector<Variation> const all = wrapper_variations(recorded);
   bool const any = std::ranges::any_of(all, [](Variation const &one) { return !one.before.empty(); });

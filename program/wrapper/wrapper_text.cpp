@@ -13,21 +13,20 @@ namespace symreal::program {
 bool is_c(rewrite::Kernel const &kernel) { return kernel.source.ends_with(".c"); }
 namespace {
 
-// What is behind the sections: C has arrays alone there, C++ whatever can be annotated; members have their names.
+// Do templates walk the elements behind the sections? Not in C, which has only arrays there, nor if members have names.
 bool is_walked(rewrite::Kernel const &kernel, rewrite::Annotation const &annotation, Object const &object) {
   return !is_c(kernel) && object.members.empty() && object.extents.size() > annotation.sections.size();
 }
 
-// An object, or a member of one: an lvalue in the words of the source, and the slot of the flat array where its numbers
-// begin.
+// An object or member: an lvalue in the source, and the slot of its first number in the flat array.
 struct Part {
   std::string element, slot;
   std::vector<std::size_t> extents;
   std::vector<Member> const &members;
-  std::size_t inner = 1; // the numbers that a statement walks by itself
+  std::size_t inner = 1; // numbers that one statement walks by itself
 };
 
-// Loops over the numbers of a part, around a statement on an `element` and its `slot`. `depth`: of the loops around it.
+// Loops over a part's numbers, around a statement on an `element` and its `slot`. `depth`: number of enclosing loops.
 template <class Statement> std::string for_elements(Part part, std::vector<rewrite::Section> const &sections,
                                                     Statement const &statement, std::string indent = "  ",
                                                     std::size_t depth = 0) {
@@ -56,7 +55,7 @@ template <class Statement> std::string for_elements(Part part, std::vector<rewri
   return text;
 }
 
-// The same for the first dimensions of an object.
+// Loops over the first dimensions of an object.
 template <class Statement> std::string for_elements(rewrite::Annotation const &annotation, Object const &object,
                                                     std::size_t dimensions, Statement const &statement) {
   auto const inner = object.extents.begin() + static_cast<std::ptrdiff_t>(dimensions);
@@ -69,7 +68,7 @@ template <class Statement> std::string for_elements(rewrite::Annotation const &a
                       annotation.sections, statement);
 }
 
-// In the order of the graph, which may differ from that of the pragma: a returned value comes first.
+// Annotation of an object of the graph, whose order may differ from the pragma's: a returned value comes first.
 rewrite::Annotation const &annotation_of(rewrite::Kernel const &kernel, std::string_view kind, Object const &object) {
   auto found = std::find_if(kernel.annotations.begin(), kernel.annotations.end(), [&](auto const &annotation) {
     return annotation.kind == kind && annotation.label == object.label;
@@ -98,8 +97,8 @@ bool names_any(std::string const &text, std::vector<std::string> const &names) {
   return false;
 }
 
-// Visits the numbers of an object, row by row, in the order of symreal/annotate.h. Macros of the program are expanded
-// here: what these templates name themselves begins with symreal_.
+// Templates that visit an object's numbers, row by row, in the order of symreal/annotate.h. Names begin with symreal_,
+// since macros of the program are expanded here.
 constexpr char const *templates = R"(namespace {
 template <int symreal_n> struct symreal_choice : symreal_choice<symreal_n - 1> {};
 template <> struct symreal_choice<0> {};
@@ -176,7 +175,7 @@ template <class symreal_T> inline void symreal_unpack(symreal_T &symreal_object,
 }
 )";
 
-// Makes an object as large as it was recorded, and fills it, in the same order.
+// Templates that resize an object to its recorded size and fill it, in the same order.
 constexpr char const *fill_templates = R"(namespace {
 template <class symreal_T>
 void symreal_size(symreal_T &symreal_object, __SIZE_TYPE__ symreal_rows, __SIZE_TYPE__ symreal_columns);
@@ -228,7 +227,7 @@ std::string fill(std::string const &element, std::vector<std::size_t> const &ext
                      extents.empty() ? 1 : extents[0], extents.size() > 1 ? extents[1] : 0);
 }
 
-// In C++ a member may be a container.
+// Fills members of a structure; in C++ one may be a container.
 std::string fill_members(std::string const &element, std::vector<Member> const &members, std::size_t slot) {
   std::string text;
   for (Member const &member : members) {
@@ -257,7 +256,7 @@ std::string fill_members(std::string const &element, std::vector<Member> const &
   return text;
 }
 
-// The places of the numbers of a structure, by its layout (symreal/object_layout.h). The size of one.
+// Adds the offsets of a structure's numbers, by its layout (symreal/object_layout.h). Returns its size.
 std::size_t add_offsets(std::string_view &layout, std::size_t begin, std::vector<std::size_t> &offsets,
                         bool &is_plain) {
   auto const take_number = [&layout] {
@@ -296,7 +295,7 @@ std::size_t add_offsets(std::string_view &layout, std::size_t begin, std::vector
   return size;
 }
 
-// Of the function's own type, named symreal_result; and what stands for it.
+// Constructs the returned object, symreal_result, of the function's own type; `value` is the expression to return.
 std::string make_returned(rewrite::Kernel const &kernel, rewrite::Annotation const &annotation, Object const &object,
                           std::string &value) {
   rewrite::ReturnedObject const &result = kernel.signature.redefinition.result;
@@ -306,7 +305,7 @@ std::string make_returned(rewrite::Kernel const &kernel, rewrite::Annotation con
   value = fmt::format("symreal_output[{}]", object.first);
   if (result.form == Form::integer) value = fmt::format("({}){}", result.type, value);
   Form form = result.form;
-  if (form == Form::number && !object.members.empty()) form = Form::members; // what a template returns
+  if (form == Form::number && !object.members.empty()) form = Form::members; // a template's return type
   if (form == Form::number && !object.extents.empty()) form = Form::walked;
   if (form == Form::number || form == Form::integer) return "";
   value = "symreal_result";

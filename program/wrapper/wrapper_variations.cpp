@@ -9,7 +9,7 @@
 namespace symreal::program {
 namespace {
 
-constexpr int extents = 0, inner_extents = 1, element = 2; // what symreal_vary changes in a container
+constexpr int extents = 0, inner_extents = 1, element = 2; // change that symreal_vary makes to a container
 constexpr int changes[] = {extents, inner_extents, element};
 
 constexpr char const *helpers_in_cxx = R"(namespace {
@@ -92,7 +92,7 @@ std::string text(std::string const &pointer, char const *value) {
 }
 
 void add_values(BakedObject const &one, std::vector<Variation> &all) {
-  bool const is_name = one.what.expression == "__PRETTY_FUNCTION__"; // no pointer
+  bool const is_name = one.what.expression == "__PRETTY_FUNCTION__"; // not a pointer
   auto const add = [&](auto const &leaf) {
     std::string const statement = is_name ? "" : baked_statements(one, leaf);
     if (!statement.empty())

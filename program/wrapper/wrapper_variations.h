@@ -1,5 +1,5 @@
-// Other calls than the recorded one, in which a wrapper must notice what the recording has baked in: other values,
-// other extents, two arguments in one place.
+// Variations of the recorded call that a wrapper must notice, since they change what the recording bakes in: other
+// values, other extents, overlapping arguments.
 #pragma once
 
 #include "program/record/front.h"
@@ -9,15 +9,15 @@
 
 namespace symreal::program {
 
-// Statements that make such a call of the recorded one. Classes, and what only templates reach, stay.
+// Statements that turn the recorded call into such a call. Classes, and data that only templates reach, stay.
 struct Variation {
-  std::string where;       // in words, behind "the original"
-  std::string statement;   // when the arguments have their numbers
-  std::string before = {}; // or when the function begins
+  std::string where;       // description, behind "the original"
+  std::string statement;   // runs once the arguments have their numbers
+  std::string before = {}; // runs at the function's begin
 };
 std::vector<Variation> wrapper_variations(Recorded const &recorded);
 
-// The functions that the statements call, in one line.
+// Functions that the statements call, in one line.
 std::string variation_helpers(Recorded const &recorded);
 
 } // namespace symreal::program

@@ -18,7 +18,7 @@ public:
     return is_outside || Walk::TraverseDecl(declaration);
   }
 
-  // The field that an anonymous structure is to others is none of the source.
+  // Anonymous structures only: the unnamed field through which outer classes see one has no text.
   bool VisitRecordDecl(RecordDecl *record) override {
     for (FieldDecl const *field : record->fields()) {
       std::string const name = name_of(field);
@@ -30,7 +30,7 @@ public:
   }
 
   bool VisitMemberExpr(MemberExpr *member) override {
-    if (!member->getMemberDecl()->getDeclName()) return true; // part of the way to one that is written
+    if (!member->getMemberDecl()->getDeclName()) return true; // part of the path to the written member
     std::string names;
     for (auto const *base = dyn_cast<MemberExpr>(member->getBase()->IgnoreParenImpCasts());
          base && !base->getMemberDecl()->getDeclName();
@@ -67,8 +67,8 @@ public:
   }
 
 private:
-  // Of an anonymous structure that holds REALs; empty for all else. What it is called by its first member is told apart
-  // from others in the same class.
+  // Generated name of an anonymous structure that holds REALs; empty for all others. It is derived from the first named
+  // member, which makes it unique within the class.
   std::string name_of(FieldDecl const *field) const {
     if (!field->isAnonymousStructOrUnion() || field->getType()->isUnionType()) return {};
     RecordDecl const *record = field->getType()->getAsRecordDecl();

@@ -7,8 +7,8 @@
 
 namespace symreal::rewrite {
 
-// In symbolic mode a member of an anonymous structure may not be of a class; so one that holds REALs gets a name there,
-// in its declaration and where its members are used.
+// Gives each anonymous structure that holds REALs a name, in its declaration and at the uses of its members: C++
+// forbids members of class type in anonymous structures.
 void collect_anonymous_structs(clang::ASTContext &context, SourceMap const &map, Reals const &reals, Facts &facts);
 
 } // namespace symreal::rewrite

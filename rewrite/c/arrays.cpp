@@ -18,7 +18,7 @@ public:
     auto const *array = literal->getType().isNull() ? nullptr : context_.getAsConstantArrayType(literal->getType());
     if (!array || array->getSize().ugt(literal->getLength())) return true;
     SourceLocation begin = literal->getBeginLoc(), end = literal->getEndLoc();
-    // A macro that stands for it has other uses.
+    // A macro that expands to the literal has other uses.
     if (SourceLocation first, last; begin.isMacroID() &&
                                     Lexer::isAtStartOfMacroExpansion(begin, sources_, context_.getLangOpts(), &first) &&
                                     Lexer::isAtEndOfMacroExpansion(end, sources_, context_.getLangOpts(), &last))
@@ -42,7 +42,7 @@ public:
     return true;
   }
 
-  // In its body such a parameter is what it is to the caller.
+  // Declares, in the function's body, row types for its parameters of variable extents.
   bool VisitFunctionDecl(FunctionDecl *function) override {
     if (!function->doesThisDeclarationHaveABody()) return true;
     std::string words;
@@ -58,7 +58,7 @@ public:
     return true;
   }
 
-  // An array of which more than the first extent is variable. Its rows have the name, behind the declaration.
+  // Declares a row type behind an array with more than one variable extent.
   bool VisitDeclStmt(DeclStmt *statement) override {
     std::string words;
     for (Decl const *one : statement->decls()) {
@@ -120,7 +120,7 @@ private:
            "(symreal_" + name + extents + ");";
   }
 
-  // What it leads to has extents that are known where the function is called; its own does not matter.
+  // Whether the pointee has variable extents, which the caller must know; the parameter's own extent does not matter.
   static bool takes_variable_array(ParmVarDecl const &parameter) {
     QualType const pointee = parameter.getType()->getPointeeType();
     return !pointee.isNull() && pointee->isVariablyModifiedType();

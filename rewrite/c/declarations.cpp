@@ -1,6 +1,6 @@
-// In C a tag is told from other names by the word before it, and one that is declared within a structure is known
-// behind it. In C++ a tag hides a variable, function or type of the same name further out, and a structure keeps what
-// is declared in it to itself. One without members has no size in C, and one byte in C++.
+// C tells a tag from other names by the word before it, and a name declared within a structure is visible behind it. In
+// C++ a tag hides a variable, function or type of the same name further out, and a structure is a scope. A structure
+// without members has size 0 in C, and 1 in C++.
 #include "rewrite/c/declarations.h"
 #include "rewrite/c/walk.h"
 
@@ -99,7 +99,7 @@ private:
     }
   }
 
-  // What a structure declares, used behind it: in C++ that is the structure's, or another of the name if there is one.
+  // Reports a use of a name that a structure declares, outside of it: in C++ it is a member, or another declaration.
   void leave(NamedDecl const *declaration, TagDecl const *tag, SourceLocation use) {
     auto const *record = dyn_cast<RecordDecl>(tag->getLexicalDeclContext());
     if (!record || !declaration->getIdentifier()) return;

@@ -1,4 +1,4 @@
-// What a source in C declares, as far as C++ takes that for something else.
+// Check of a C source's declarations that have another meaning in C++.
 #pragma once
 
 #include "rewrite/source/clang.h"

@@ -40,7 +40,7 @@ private:
       std::optional<Token> const colon =
           Lexer::findNextToken(sources_.getSpellingLoc(end), sources_, context_.getLangOpts());
       if (colon && colon->is(tok::colon)) return replace(colon->getLocation(), ":", ",");
-      // From the rewriting before.
+      // Already rewritten.
       if (colon && colon->is(tok::raw_identifier) && colon->getRawIdentifier().ends_with("REAL_EITHER")) return true;
       if (end.isFileID()) return false;
       end = sources_.isMacroArgExpansion(end) ? sources_.getImmediateSpellingLoc(end)

@@ -6,8 +6,7 @@
 
 namespace symreal::rewrite {
 
-// For a source in C: the punctuation of _Generic becomes what a macro of the same name can take apart
-// (<symreal/of_c.h>).
+// Rewrites the punctuation of _Generic in a C source into arguments for a macro of the same name (<symreal/of_c.h>).
 void collect_c_generic(clang::ASTContext &context, SourceMap const &map, Facts &facts);
 
 } // namespace symreal::rewrite

@@ -1,6 +1,6 @@
-// `int n = f(), m = 2;` becomes `int n; initialised(n) = f(); int m; initialised(m) = 2;` where a jump passes it. The
-// words are inserted, so that the initialisers keep what other rules do to them. An array of REALs becomes a class of
-// its own: g++ takes that of a class with constructors for initialised.
+// Splitting of declarations that a jump skips: `int n = f(), m = 2;` becomes `int n; initialised(n) = f(); int m;
+// initialised(m) = 2;`. The words are inserted, so that other rules still apply to the initialisers. An array of REALs
+// gets a class of its own: g++ regards one of a class with constructors as initialised.
 #include "rewrite/c/jumps.h"
 
 #include "rewrite/c/walk.h"
@@ -51,7 +51,7 @@ public:
   }
 
   bool VisitCompoundStmt(CompoundStmt *block) override {
-    Labels behind; // the statement that is looked at, from the last one up
+    Labels behind; // labels behind the current statement; the walk goes from the last one up
     std::vector<Stmt *> const statements(block->body_begin(), block->body_end());
     for (std::size_t k = statements.size(); k-- > 0;) {
       auto const *declaration = dyn_cast<DeclStmt>(statements[k]);
@@ -103,7 +103,7 @@ private:
                                           "', which is spelled in parts or has a type without a name");
   }
 
-  // An initialiser stays what it is, in a declaration of one array.
+  // A declaration of a single array keeps its initialiser.
   void declare_anew(DeclStmt const &declaration, std::vector<VarDecl const *> const &variables, bool no_initialiser) {
     std::string words;
     for (VarDecl const *variable : variables) {
@@ -154,7 +154,7 @@ private:
     return true;
   }
 
-  // `behind_star`: that of the pointer, not of what it leads to.
+  // `behind_star`: removes the pointer's own const, not its pointee's.
   bool remove_const(SourceLocation from, SourceLocation name, bool behind_star, std::vector<Wrap> &words) {
     std::vector<SourceLocation> found;
     for (SourceLocation at = from; at.isValid() && sources_.isBeforeInTranslationUnit(at, name);) {
@@ -186,7 +186,7 @@ private:
     return span.has_value();
   }
 
-  // The type without what the declarator adds to it; empty where it has no name.
+  // The type as text, without the declarator; empty for a type without a name.
   std::string specifier(VarDecl const &variable) const {
     TypeLoc const type = without_declarator(variable.getTypeSourceInfo()->getTypeLoc());
     if (type.getAs<FunctionTypeLoc>()) return {};
@@ -212,7 +212,7 @@ private:
     return span.has_value();
   }
 
-  // From the rewriting before.
+  // Whether the token is one of Symreal's macros, from an earlier rewriting.
   static bool is_ours(Token const &token, llvm::StringRef macro) {
     return token.is(tok::raw_identifier) && token.getRawIdentifier().ends_with(macro);
   }

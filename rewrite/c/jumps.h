@@ -1,4 +1,4 @@
-// What a jump passes in C.
+// Rewriting of C jumps past initialisations.
 #pragma once
 
 #include "rewrite/source/clang.h"
@@ -6,8 +6,8 @@
 
 namespace symreal::rewrite {
 
-// For a source in C: an initialisation that a `case`, a `default` or a `goto` passes becomes an assignment, since C++
-// has no jump past one.
+// Turns each initialisation in a C source that a `case`, a `default` or a `goto` jumps past into an assignment, since
+// C++ forbids such jumps.
 void collect_c_jumps(clang::ASTContext &context, SourceMap const &map, Facts &facts);
 
 } // namespace symreal::rewrite

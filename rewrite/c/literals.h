@@ -1,5 +1,5 @@
-// `(struct pair){1, x}` is an object in C, which lives as long as the block around it. In C++, as gcc has it, it is a
-// value, whose address cannot be taken.
+// Rewriting of compound literals: `(struct pair){1, x}` is an lvalue in C, which lives as long as the block around it.
+// In C++, as gcc has it, it is an rvalue, whose address cannot be taken.
 #pragma once
 
 #include "rewrite/facts/facts.h"

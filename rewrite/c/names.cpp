@@ -57,7 +57,7 @@ private:
       report(at, "a macro makes '" + name + "', which is a name of the C library too");
   }
 
-  // At file scope, and none that a header of the library declares.
+  // Whether the name is declared at file scope, and by no header of a library.
   bool is_own(NamedDecl const &declaration) {
     if (!isa<FunctionDecl, VarDecl, TypedefNameDecl, EnumConstantDecl>(declaration)) return false;
     DeclContext const *context = declaration.getDeclContext()->getRedeclContext();

@@ -82,7 +82,7 @@ private:
   void add_int(NamedDecl const &declaration, TypeLoc type) {
     auto const built_in = specifier(type).getAs<BuiltinTypeLoc>();
     if (!built_in) return;
-    SourceLocation const said = built_in.getBuiltinLoc(); // the name, where nothing says it
+    SourceLocation const said = built_in.getBuiltinLoc(); // the name, if no type is written
     if (said.isValid() && said != declaration.getLocation()) return;
     if (!without_type_.insert(declaration.getBeginLoc().getRawEncoding()).second) return; // behind a comma
     std::optional<Span> const name = map_.token(declaration.getLocation(), declaration.getName());

@@ -1,5 +1,5 @@
-// What C allows among the specifiers of a declaration, and C++ does not: `auto` beside a type, no type at all, which is
-// an int, and a structure that is defined where a function says what it returns.
+// Rewriting of declaration specifiers that C allows and C++ does not: `auto` beside a type, a missing type, which is
+// int, and a structure defined in a function's return type.
 #pragma once
 
 #include "rewrite/facts/facts.h"

@@ -1,4 +1,4 @@
-// What the walks over sources in C for what C++ does not allow have in common.
+// Base of the walks that rewrite constructs of C that C++ does not allow.
 #pragma once
 
 #include "rewrite/facts/facts.h"
@@ -8,7 +8,7 @@
 
 namespace symreal::rewrite {
 
-// A type without what the declarator of a variable adds to it; what a function returns is the next step.
+// A type without its variable's declarator; the next step leads to the return type of a function type.
 inline clang::TypeLoc without_declarator(clang::TypeLoc type) {
   while (type) {
     if (auto const pointer = type.getAs<clang::PointerTypeLoc>())
@@ -44,18 +44,18 @@ protected:
         {DiagnosticId::c_source, map_.place(location), std::move(message), map_.expansions(location)});
   }
 
-  // False where a macro makes what is to be changed.
+  // False if a macro spells the characters to be changed.
   bool insert(std::optional<Span> const &span, Use use, std::string words) {
     if (span) facts_.wraps.insert({*span, use, std::move(words)});
     return span.has_value();
   }
 
-  // Is it in what C alone reads, from the rewriting before?
+  // Whether an earlier rewriting has put the location into text that only C reads.
   bool is_rewritten(clang::SourceLocation location) const {
     return map_.is_argument_of(location, "REAL_EITHER") || map_.is_argument_of(location, "REAL_ONLY");
   }
 
-  // The raw token behind another; `unknown` where that ends a macro.
+  // The next raw token; `unknown` at the end of a macro.
   clang::Token next_token(clang::SourceLocation token) const {
     clang::Token none;
     none.startToken();

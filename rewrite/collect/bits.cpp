@@ -47,7 +47,7 @@ void Collector::bytes_of_arguments(CallExpr const *call, FunctionDecl const *fun
     used = reals_.carries_real(argument_of_class(call->getArg(0)->getType()));
   if (used) report(DiagnosticId::reinterpretation, call->getBeginLoc(), "the bytes of a REAL are used as another type");
   if (!name.contains("compare_exchange")) return;
-  // That of a number compares values in the symbolic program.
+  // Compare-exchange on a number itself compares values in the symbolic program.
   QualType object;
   if (auto const *member = dyn_cast<CXXMemberCallExpr>(call))
     object = argument_of_class(member->getImplicitObjectArgument()->getType());
@@ -79,7 +79,7 @@ bool Collector::shares_bytes(FieldDecl const *field) const {
   return reals_.carries_real(context_.getRecordType(field->getParent()));
 }
 
-// Of a union in which it shares its bytes with something else: numbers, or what holds some.
+// Whether the field is a union member that holds numbers and shares its bytes with something else.
 bool Collector::shares_number(FieldDecl const *field) const {
   if (!field || !field->getParent()->isUnion() || field->getType()->isDependentType()) return false;
   auto const fields = field->getParent()->fields();
@@ -87,7 +87,7 @@ bool Collector::shares_number(FieldDecl const *field) const {
          std::any_of(fields.begin(), fields.end(), [this](FieldDecl const *other) { return shares_bytes(other); });
 }
 
-// In u.part.low or u.bytes[i], the member for which `is` holds; null if there is none.
+// In u.part.low or u.bytes[i], the member for which `is` holds; null if none does.
 template <class Is> static MemberExpr const *member_in(Expr const *object, Is is) {
   while (true) {
     object = object->IgnoreParenImpCasts();
@@ -143,7 +143,7 @@ void Collector::bits_of_union(MemberExpr const *member, FieldDecl const *field) 
            "'" + field->getNameAsString() + "' shares its bytes with a REAL");
 }
 
-// In u.part.low, from u.part on: the member that is meant.
+// Outermost member of the union: u.part in u.part.low.
 Expr const *Collector::whole_member(MemberExpr const *member) const {
   for (Expr const *part = member;;) {
     DynTypedNodeList const parents = context_.getParents(*part);
@@ -157,7 +157,7 @@ Expr const *Collector::whole_member(MemberExpr const *member) const {
   }
 }
 
-// What a union holds gets a new value: a number all of its bits, another member perhaps a part of them.
+// Notes a store to a union: a store of a number replaces all of its bits, of another member perhaps a part.
 void Collector::store_to_union(Expr const *left) {
   MemberExpr const *member = member_in(left, [this](FieldDecl const *field) { return shares_bytes(field); });
   bool const is_part = member != nullptr;
@@ -176,7 +176,7 @@ void Collector::number_of_union(Expr const *value) {
     note(value, Use::part, nullptr, "used, 0, 0, ");
 }
 
-// What a pointer, a reference or an array leads to at last.
+// Type behind all pointers, references and arrays.
 static QualType innermost_type(QualType type) {
   while (true) {
     if (auto const *array = type->getAsArrayTypeUnsafe())
@@ -188,7 +188,7 @@ static QualType innermost_type(QualType type) {
   }
 }
 
-// The same, as a built-in type: of an enumeration the integer, null of a class.
+// The innermost type as a built-in type: the integer of an enumeration, null for a class.
 static BuiltinType const *innermost(QualType type) {
   type = innermost_type(type);
   if (auto const *enumeration = type->getAs<EnumType>())
@@ -196,7 +196,7 @@ static BuiltinType const *innermost(QualType type) {
   return type->getAs<BuiltinType>();
 }
 
-// A cast between pointers says what the bytes are taken for.
+// A cast between pointers reinterprets the bytes.
 void Collector::reinterpretation(ExplicitCastExpr const *cast) {
   Expr const *from = cast->getSubExpr();
   if (cast->getCastKind() == CK_LValueToRValueBitCast && reals_.carries_real(from->getType()) &&
@@ -209,8 +209,8 @@ void Collector::reinterpretation(ExplicitCastExpr const *cast) {
     return type->isVoidType() || type->getKind() == BuiltinType::Char_S || type->getKind() == BuiltinType::Char_U ||
            type->getKind() == BuiltinType::UChar;
   };
-  // (double *)((char *)p + n) only counts in bytes, and so does a structure behind numbers. Integers there are looked
-  // at in the run.
+  // (double *)((char *)p + n) is address arithmetic in bytes, as is a structure behind numbers. Integers are checked at
+  // run time.
   auto const *sum = dyn_cast<BinaryOperator>(cast->getSubExprAsWritten()->IgnoreParens());
   if (sum && sum->isAdditiveOp() && !(after && is_bytes(after))) {
     for (Expr const *side : {sum->getLHS(), sum->getRHS()}) counting_casts_.insert(side->IgnoreParenImpCasts());
@@ -230,7 +230,7 @@ void Collector::reinterpretation(ExplicitCastExpr const *cast) {
     report(DiagnosticId::reinterpretation, cast->getBeginLoc(), source.getAsString() + " is read as a REAL");
 }
 
-// From void *, which may have been the address of a REAL, or from a structure that holds some, to a pointer to
+// A cast from void *, which may have been the address of a REAL, or from a structure that holds some, to a pointer to
 // integers.
 void Collector::pointer_cast(CastExpr const *cast) {
   if (Expr const *pointer = cast->getSubExpr()->IgnoreParenImpCasts();
@@ -244,7 +244,7 @@ void Collector::pointer_cast(CastExpr const *cast) {
   if (from->getType()->isVoidPointerType() || holds_numbers) note(from, Use::bits);
 }
 
-// What (char *)&x + 4 points into.
+// The pointer operand in (char *)&x + 4.
 static Expr const *pointed_into(Expr const *pointer) {
   while (true) {
     pointer = pointer->IgnoreParenCasts();
@@ -260,7 +260,7 @@ bool Collector::is_lasting_array(Expr const *expression) const {
   return expression->getType()->isArrayType() && holds_state(expression->getType()) && may_outlive(expression);
 }
 
-// Gives whether the run is told all that the function reads and writes.
+// Wraps a byte function. Returns whether the wrap reports all that the function reads and writes.
 bool Collector::moved_bytes(CallExpr const *call, FunctionDecl const *function) {
   if (!function->getDeclName().isIdentifier()) return false;
   llvm::StringRef name = function->getName();
@@ -292,7 +292,7 @@ bool Collector::moved_bytes(CallExpr const *call, FunctionDecl const *function) 
   Expr const *callee = call->getCallee()->IgnoreParenImpCasts();
   std::optional<Span> const span = map_.range(callee->getSourceRange());
   if (!any || !span || !map_.in_roots(callee->getBeginLoc())) return false;
-  // To a structure without numbers.
+  // A structure without numbers as the target.
   QualType const target = Reals::pointee(call->getArg(0));
   if (how == "move" && !target.isNull() && target->isRecordType() && !reals_.carries_real(target)) how = "into";
   auto const words = [&](unsigned index) {
@@ -300,7 +300,7 @@ bool Collector::moved_bytes(CallExpr const *call, FunctionDecl const *function) 
     std::optional<Span> const written = map_.range(argument->getSourceRange());
     return written ? normalised(map_.text(*written, argument->getBeginLoc())) : name.str();
   };
-  // Of what is moved the source is looked at, and of a number the target as well.
+  // A move checks its source; a move of a number its target as well.
   std::string const what = how == "compare" ? words(0) + "' or '" + words(1)
                                             : words(how == "move" || how == "into" || how == "move_bytes" ? 1 : 0);
   std::string detail = how + ", " + in_quotes(what);

@@ -77,7 +77,7 @@ private:
       return;
     }
     if (reals_.external(callee)) return;
-    // It is called through a table of virtual functions, whose entries are referred to where an object is made.
+    // A virtual call goes through the class's table, whose entries are referenced where an object is made.
     if (callee->isPureVirtual()) return;
     if (callee->isDefaulted() || callee->isImplicit() || !reals_.in_roots(callee) || !carries(callee)) return;
     std::string mangled = names_.getName(callee);
@@ -144,7 +144,7 @@ void collect_boundaries(ASTContext &context, std::vector<FunctionDecl const *> c
     facts.definitions.insert(names.getName(function));
     if (!function->isInlined() && function->isExternallyVisible() && reachable.carries(function))
       facts.exported.insert(names.getName(function));
-    if (!function->isInlined()) reachable.start(function); // an inline one counts from where it is called
+    if (!function->isInlined()) reachable.start(function); // an inline one counts at its calls
   }
   for (Decl *declaration : context.getTranslationUnitDecl()->decls()) {
     if (!map.in_roots(declaration->getLocation())) continue;

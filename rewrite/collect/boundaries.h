@@ -1,6 +1,6 @@
-// Finds the functions of the roots that the program calls and that no source defines: what a compiled library would
-// supply works on double. Only code that is compiled into the program counts; an inline function of a header that
-// nobody calls may mention what it likes.
+// Search for functions of the roots that the program calls and that no source defines: those of a compiled library work
+// on double. Only code that is compiled into the program counts; an uncalled inline function of a header may mention
+// any function.
 #pragma once
 
 #include "rewrite/facts/facts.h"

@@ -1,4 +1,4 @@
-// What C allows and C++ does not, beyond what a cast can make good.
+// Constructs of C that C++ does not allow and that a cast alone cannot convert.
 #include "rewrite/collect/collector.h"
 #include "rewrite/model/library.h"
 #include "rewrite/source/keyword_names.h"
@@ -44,8 +44,8 @@ void Collector::c_declaration(NamedDecl const *declaration) {
   if (auto const *function = dyn_cast<FunctionDecl>(declaration)) c_prototype(function);
 }
 
-// A function that is declared as before C89, f() or f(a, b) double a; int b; and defined with parameters: C++ must be
-// told of them. What stands there remains for numeric mode.
+// A function that is declared as before C89, f() or f(a, b) double a; int b; and defined with parameters: C++ needs
+// them in the declaration. Numeric mode keeps the old text.
 void Collector::c_prototype(FunctionDecl const *function) {
   FunctionDecl const *definition = parameters_of_c(function);
   if (function->hasWrittenPrototype() || !definition || !map_.in_roots(function->getLocation())) return;
@@ -90,12 +90,12 @@ void Collector::c_call(CallExpr const *call) {
            "a function that is declared without parameters is called with arguments");
 }
 
-// A mathematical function of C takes a double, and abs an int: C++ has others besides, for what stands there. A
-// builtin is of C, and becomes the function of C++.
+// A mathematical function of C takes a double, and abs an int: C++ has overloads for other arguments. A builtin is C's,
+// and becomes the function of C++.
 void Collector::c_arguments(CallExpr const *call) {
   FunctionDecl const *function = call->getDirectCallee();
   if (!function || !function->getIdentifier()) return;
-  bool const is_builtin = function->getName().starts_with("__builtin_"); // declared where it is used first
+  bool const is_builtin = function->getName().starts_with("__builtin_"); // declared implicitly at its first use
   if (!is_builtin && (map_.language().CPlusPlus || reals_.in_roots(function))) return;
   bool const is_math = is_builtin ? Reals::is_math_name(function->getName()) : reals_.is_math(function);
   bool const is_integral = function->getName() == "abs" || function->getName() == "div";
@@ -145,7 +145,7 @@ void Collector::kind_asked(CallExpr const *call) {
     facts_.wraps.insert({*span, Use::instead, std::to_string(kind.Val.getInt().getExtValue())});
 }
 
-// A literal's characters are const in C++, and so are those that `x ? name : "none"` leads to.
+// The characters of a literal are const in C++, and so are those behind `x ? name : "none"`.
 void Collector::c_choice(ConditionalOperator const *choice) {
   QualType const pointee = choice->getType()->getPointeeType();
   if (map_.language().CPlusPlus) return;
@@ -162,7 +162,7 @@ void Collector::c_choice(ConditionalOperator const *choice) {
     }
 }
 
-// What takes a pointer to const in C++ gives one.
+// Casts the result of a search function that in C++ returns a pointer to const for one.
 void Collector::c_search(CallExpr const *call) {
   FunctionDecl const *function = call->getDirectCallee();
   if (map_.language().CPlusPlus || !function || reals_.in_roots(function) || !function->getIdentifier()) return;

@@ -1,6 +1,5 @@
-// What C means by an expression that C++ gives another type: enumerations are integers there, a truth value and a
-// character are ints. The differences are those of the C++ standard's annex on C ([diff.iso]) as far as they are
-// silent.
+// Expressions of C whose type differs in C++: enumerations are integers in C, a truth value and a character are ints.
+// The differences are the silent ones of the C++ standard's annex on C ([diff.iso]).
 #include "rewrite/collect/collector.h"
 
 #include "engine/support/mutation/is_dropped.h"
@@ -10,7 +9,7 @@ using namespace clang;
 
 namespace {
 
-// Through what C writes nothing for and C++ does not convert.
+// Operand behind implicit conversions, which have no text in C and are not done in C++.
 Expr const *operand_of(Expr const *expression) {
   while (true) {
     expression = expression->IgnoreParens();
@@ -39,7 +38,7 @@ EnumDecl const *enumeration_in_cpp(Expr const *expression) {
   return type ? type->getDecl()->getCanonicalDecl() : nullptr;
 }
 
-// What its values are promoted to there ([conv.prom]): the first type that holds all those it could have.
+// Promoted type of the enumeration in C++ ([conv.prom]): the first type that holds all values it could have.
 QualType promoted_in_cpp(EnumDecl const *enumeration, ASTContext const &context) {
   EnumDecl const *definition = enumeration->getDefinition();
   if (!definition) return context.IntTy;
@@ -52,7 +51,7 @@ QualType promoted_in_cpp(EnumDecl const *enumeration, ASTContext const &context)
   return context.UnsignedLongLongTy;
 }
 
-// What C++ has another type for, of another size, or none that has one: in C `?:` and `,` give values.
+// Kinds of expressions for which sizeof differs or is an error in C++: in C `?:` and `,` give values, not lvalues.
 enum class Other { none, truth, character, enumeration, array, bit_field };
 
 bool is_classification(Expr const *expression) { // isnan, signbit and their like, which give a bool there
@@ -64,7 +63,7 @@ bool is_classification(Expr const *expression) { // isnan, signbit and their lik
   return (name.starts_with("is") || name.starts_with("signbit")) && Reals::is_math_name(name);
 }
 
-// Where both arms are of one of these types `?:` is of that in C++, and an int in C.
+// Whether an arm is of a narrow type: if both are, `?:` has that type in C++, and int in C.
 bool is_narrow(Expr const *expression) {
   expression = operand_of(expression);
   if (isa<CharacterLiteral>(expression)) return true;
@@ -124,7 +123,7 @@ bool may_be_symbolic(Expr const *expression) {
 
 } // namespace
 
-// The integer that an expression of an enumeration stands for.
+// The integer type of an enumeration's expression.
 QualType Collector::counted_as(Expr const *enumeration) const {
   Expr const *written = operand_of(enumeration);
   auto const *type = written->getType()->getAs<EnumType>();
@@ -144,7 +143,7 @@ void Collector::c_operand(SourceLocation operation, Expr const *operand) {
   Expr const *written = operand_of(operand);
   QualType const in_c = counted_as(written);
   if (context_.hasSameUnqualifiedType(in_c, promoted_in_cpp(enumeration, context_))) return;
-  // In a macro's body it may be something else another time; an enumerator is one wherever it stands.
+  // Other expansions of a macro's body may have another type; an enumerator is one in all of them.
   if (written->getType()->isEnumeralType())
     wrap_for(operation, operand->IgnoreImpCasts(), Use::counted);
   else
@@ -184,14 +183,14 @@ void Collector::c_type_asked(Expr const *operand, bool is_size) {
     QualType const in_cpp = enumeration->getDefinition()->getIntegerType();
     if (is_size && context_.getTypeSize(in_cpp) == context_.getTypeSize(operand->getType())) return;
   }
-  if (other == Other::bit_field) { // whose size C++ refuses to tell; Clang takes no width into account
+  if (other == Other::bit_field) { // C++ rejects sizeof of it; Clang ignores its width
     Width const width = width_of(operand);
     QualType const type = width.bits <= 32  ? (width.is_signed ? context_.IntTy : context_.UnsignedIntTy)
                           : width.is_signed ? context_.LongLongTy
                                             : context_.UnsignedLongLongTy;
     return wrap(operand->IgnoreParens(), Use::cast, spelled(type));
   }
-  // A type that is asked for takes part in more: an object of it holds what depends on REALs, without a decision.
+  // An object of a type asked for may hold values that depend on REALs, without a decision.
   if (auto const *comparison = dyn_cast<BinaryOperator>(operand->IgnoreParenImpCasts());
       !is_size && comparison && (reals_.is_real(comparison->getLHS()) || reals_.is_real(comparison->getRHS())))
     return wrap(operand->IgnoreParens(), Use::of_c, "SYMREAL_REAL_INT(int)");
@@ -211,11 +210,11 @@ static void null_control(Expr const *null, SourceMap const &map, Facts &facts) {
   if (token && !map.is_argument_of(at, "REAL_EITHER")) facts.wraps.insert({*token, Use::instead, "((void *)0)"});
 }
 
-// The controlling expression of _Generic; an integer that stays symbolic counts as what it stands for (of_c.h).
+// The controlling expression of _Generic; an integer that stays symbolic counts as its plain type (of_c.h).
 void Collector::c_control(Expr const *control) {
   if (map_.language().CPlusPlus || !map_.in_roots(control->getBeginLoc()) || is_dropped("generic")) return;
   Expr const *written = control->IgnoreParenImpCasts();
-  // In C++ the elements are const.
+  // The elements of a literal are const in C++.
   if (isa<StringLiteral>(written)) return wrap(written, Use::cast, spelled(control->getType()));
   if (control->getType()->isVoidPointerType() &&
       control->isNullPointerConstant(context_, Expr::NPC_NeverValueDependent))

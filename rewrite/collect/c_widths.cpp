@@ -1,5 +1,5 @@
-// gcc gives a bit-field that is wider than int, and what is computed with it, a type of just as many bits: `f.b << 1`
-// loses what does not fit. C++ takes the type that the bit-field is declared with, as Clang does in both languages.
+// Bit-fields wider than int: gcc computes with them in a type of just as many bits: `f.b << 1` loses the bits that do
+// not fit. C++ uses the bit-field's declared type, as Clang does in both languages.
 #include "rewrite/collect/collector.h"
 
 namespace symreal::rewrite {

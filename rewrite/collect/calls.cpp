@@ -23,8 +23,8 @@ std::vector<Expr const *> written_arguments(llvm::ArrayRef<Expr const *> all) {
   return result;
 }
 
-// Is there an overload that takes something else than double in this place? Then a literal that is still a double while
-// the declarations say REAL could choose it.
+// Whether another overload takes a type other than double here: it could win for a literal that is still a double while
+// the declarations say REAL.
 bool overload_competes(FunctionDecl const *function, unsigned index, unsigned count) {
   DeclContext const *scope = function->getDeclContext();
   auto const *constructor = dyn_cast<CXXConstructorDecl>(function);
@@ -46,7 +46,7 @@ bool reads_numbers(FunctionDecl const *function) {
   return function->getDeclName().isIdentifier() && function->getName().ends_with("scanf");
 }
 
-// A REAL that goes where only double does: a decision where it is symbolic. In words that a second rewriting leaves.
+// Type of a parameter that takes only double: a symbolic REAL is decided. The text survives a second rewriting.
 constexpr char const *plain_double = "decltype(0.0)";
 
 // The stream operators and to_string have overloads for RealNumber, and the runtime's own functions take it.
@@ -59,7 +59,7 @@ bool runtime_overloads(FunctionDecl const *function, SourceManager const &source
   return function->isInStdNamespace() && function->getDeclName().isIdentifier() && function->getName() == "to_string";
 }
 
-// Other than what it was given a reference to, as an operator << does. What makes text is looked at elsewhere.
+// Whether a function returns a new value, unlike an operator << that returns its argument. Text functions are excluded.
 bool gives_something(FunctionDecl const *function) {
   QualType const type = function->getReturnType();
   return !isa<CXXConstructorDecl>(function) && !type->isVoidType() && !type->isReferenceType() &&
@@ -68,7 +68,7 @@ bool gives_something(FunctionDecl const *function) {
 
 } // namespace
 
-// The type as which an integer goes through `...`, in words of the language.
+// Promoted type of an integer passed through `...`, as source text.
 static std::string promoted_integer(Expr const *argument) {
   QualType const type = argument->getType().getCanonicalType();
   return type->isBooleanType() ? "int" : type.getUnqualifiedType().getAsString();
@@ -97,7 +97,7 @@ void Collector::call(CallExpr const *call) {
     overloaded = member->hadMultipleCandidates();
   std::vector<Expr const *> all(call->arg_begin(), call->arg_end());
   if (isa<CXXOperatorCallExpr>(call) && isa<CXXMethodDecl>(function) && !all.empty()) all.erase(all.begin());
-  // stream.operator<<(x): the operator for REALs is no member.
+  // stream.operator<<(x): the operator for REALs is a free function.
   if (isa<CXXMemberCallExpr>(call) && function->getOverloadedOperator() == OO_LessLess &&
       runtime_overloads(function, map_.sources()) && all.size() == 1 && reals_.is_real(all[0]))
     wrap_for(call->getRParenLoc(), all[0], Use::value, function->getQualifiedNameAsString());
@@ -173,7 +173,7 @@ void Collector::literal_argument(FunctionDecl const *function, unsigned index, E
   if (rewritten && overloaded && is_double_parameter && overload_competes(function, index, count)) wrap(argument, use);
 }
 
-// A function that neither returns nor keeps doubles: what it takes leaves the program.
+// Whether a function neither returns nor keeps doubles: its arguments leave the program.
 bool Collector::takes_only(FunctionDecl const *function) const {
   if (reals_.mentions_real(function->getReturnType())) return false;
   for (ParmVarDecl const *parameter : function->parameters()) {
@@ -231,7 +231,7 @@ void Collector::outside_argument(SourceLocation call, FunctionDecl const *functi
       (!parameter->isReferenceType() || parameter.getNonReferenceType().isConstQualified())) {
     if (!real) return;
     if (takes_only(function) && gives_something(function))
-      wrap_for(call, argument, Use::conversion, plain_double); // what it gives depends on what it takes
+      wrap_for(call, argument, Use::conversion, plain_double); // its result depends on its argument
     else if (takes_only(function))
       wrap_for(call, argument, Use::value);
     else

@@ -82,7 +82,7 @@ public:
     bool const is_constant = isa<EnumConstantDecl>(constant) ||
                              (variable && variable->hasGlobalStorage() && variable->getType().isConstQualified());
     if (!is_constant || !reference->getType()->isIntegralOrEnumerationType()) return true;
-    // As it is written: true_type::value says nothing about what is asked.
+    // The qualifier as spelled: true_type::value does not show the question.
     NestedNameSpecifier const *qualifier = reference->getQualifier();
     Type const *scope = qualifier ? qualifier->getAsType() : nullptr;
     std::string const name =
@@ -170,7 +170,7 @@ private:
     add(declaration->getLocation(), what, "'" + name + "'");
   }
 
-  // May overload resolution go by what type an argument of the template is, or whether it converts?
+  // Whether overload resolution may depend on the type of a template argument, or on its conversions.
   static bool is_selective(FunctionTemplateDecl const *declaration) {
     if (declaration->hasAssociatedConstraints()) return true;
     for (NamedDecl const *parameter : *declaration->getTemplateParameters()) {
@@ -218,13 +218,13 @@ private:
   ASTContext &context_;
   SourceMap const &map_;
   PrintingPolicy policy_;
-  std::string function_; // what is walked is a part of it
+  std::string function_; // the function being walked
 };
 
 } // namespace
 
 CollectedChoices collect_choices(ASTContext &context, SourceMap const &map) {
-  if (!map.language().CPlusPlus) return {}; // _Generic is translated by what C says
+  if (!map.language().CPlusPlus) return {}; // _Generic is rewritten by C's rules
   Walker walker(context, map);
   walker.TraverseDecl(context.getTranslationUnitDecl());
   return std::move(walker.collected);

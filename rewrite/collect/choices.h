@@ -1,6 +1,6 @@
-// What the language finds out about types: which overload or specialisation it chooses, what a trait, a concept or a
-// sizeof says. Where a class stands for a number the answers may be others, and nothing in the text shows it. So they
-// are collected twice, from the original and from the rewritten source, and compared.
+// Collector of the language's answers about types: selected overloads and specialisations, and the values of traits,
+// concepts and sizeof. A class in place of a number may change them without a trace in the text. So they are collected
+// twice, from the original and from the rewritten source, and compared.
 #pragma once
 
 #include "rewrite/facts/facts.h"
@@ -9,7 +9,7 @@
 
 namespace symreal::rewrite {
 
-// `asks`: one of them is about the type of a number.
+// `asks`: whether one of the questions is about the type of a number.
 struct CollectedChoices {
   Choices choices;
   bool asks = false;

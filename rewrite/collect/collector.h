@@ -1,4 +1,4 @@
-// What the visitor tells about one kind of syntax each. Every member collects facts and edits nothing.
+// Collector of facts: one member for each kind of syntax that the visitor meets. Members edit nothing.
 #pragma once
 
 #include "rewrite/facts/facts.h"
@@ -28,8 +28,8 @@ public:
         storage_(reals),
         facts_(facts) {}
 
-  // A handler that depends on what others tell of the same expression waits until all have told: so they may be called
-  // in any order. `finish` is called in the end.
+  // Defers a handler that depends on facts from others about the same expression until all are collected, so that
+  // handlers may be called in any order. `finish` runs the deferred handlers.
   void later(std::function<void()> handler) { waiting_.push_back({instance_, std::move(handler)}); }
   void finish();
 
@@ -57,7 +57,7 @@ public:
   void complex_literal(clang::UserDefinedLiteral const *literal);
   void converted_operands(clang::BinaryOperator const *operation, clang::DeclContext const *from);
 
-  // What an instantiation shows that its template does not (instances.cpp).
+  // Facts that only an instantiation shows (instances.cpp).
   void set_instance(std::optional<Note> instance) { instance_ = std::move(instance); }
   void instantiated_call(clang::CallExpr const *call);
   void instantiated_construction(clang::CXXConstructExpr const *construction);
@@ -78,9 +78,9 @@ public:
   void deduced_variable(clang::VarDecl const *variable);
   void deduced_return(clang::Stmt const *body);
   void deduced_elements(clang::Expr const *initializer);
-  // The text of its declaration is part of the program: __PRETTY_FUNCTION__, which assert prints.
+  // A function whose declaration text is part of the program: __PRETTY_FUNCTION__, which assert prints.
   void printed_signature(clang::FunctionDecl const *function);
-  // The name of a type, as the original has it (type_names.cpp).
+  // The original name of a type (type_names.cpp).
   void type_asked(clang::CXXTypeidExpr const *type);
   void type_asked(clang::CXXMemberCallExpr const *call);
   void signature_asked(clang::PredefinedExpr const *name, clang::FunctionDecl const *function);
@@ -94,7 +94,7 @@ public:
   void c_generic_call(clang::CallExpr const *call);
   void kind_asked(clang::CallExpr const *call);
 
-  // What C means by an expression that C++ gives another type (c_types.cpp).
+  // Expressions of C whose type differs in C++ (c_types.cpp).
   void c_operation(clang::BinaryOperator const *operation);
   void c_operation(clang::UnaryOperator const *operation);
   void c_operand(clang::SourceLocation operation, clang::Expr const *operand);
@@ -106,16 +106,16 @@ public:
   void c_widths(clang::BinaryOperator const *operation);
   void c_widths(clang::UnaryOperator const *operation);
   void c_widths(clang::ConditionalOperator const *choice);
-  // Bit-fields that are narrower (narrow_fields.cpp).
+  // Bit-fields that are narrower than int (narrow_fields.cpp).
   void narrow_fields(clang::AbstractConditionalOperator const *choice);
   void narrow_fields(clang::BinaryOperator const *operation);
 
-  // Variables of files in C (tentative.cpp).
+  // File-scope variables of C (tentative.cpp).
   void tentative_definitions(clang::VarDecl const *variable);
   bool tentative_definition(clang::VarDecl const *variable, bool is_definition);
   bool declare_external(clang::VarDecl const *variable);
 
-  // What has no counterpart (refused.cpp).
+  // Constructs without a counterpart (refused.cpp).
   void assembly(clang::GCCAsmStmt const *assembly);
   void designators(clang::InitListExpr const *list);
 
@@ -123,7 +123,7 @@ public:
   void environment_of_call(clang::CallExpr const *call);
   void error_read(clang::Expr const *value);
   void error_assigned(clang::BinaryOperator const *assignment);
-  // What functions of libraries give (outside.cpp).
+  // Results of library functions (outside.cpp).
   void call_outside(clang::CallExpr const *call);
   void stream_asked(clang::CXXMemberCallExpr const *call);
 
@@ -135,18 +135,18 @@ public:
   void characters_of(clang::CXXForRangeStmt const *loop);
   void keeps_text(clang::QualType type);
 
-  // What depends on values, for the report of a scan (dependence.cpp).
+  // Value-dependent operations, for the report of a scan (dependence.cpp).
   void conversion(clang::CastExpr const *cast);
   void comparison(clang::BinaryOperator const *comparison);
 
-  // What numbers are called (names.cpp).
+  // Names of numbers (names.cpp).
   void named_variable(clang::VarDecl const *variable);
   void named_target(clang::BinaryOperator const *assignment);
 
   // Hidden state (state.cpp, state_calls.cpp).
   void state(clang::VarDecl const *variable, clang::Expr const *reference, bool is_dependent);
   void read(clang::Expr const *value);
-  // The class of an object is asked for: typeid(*p), dynamic_cast<T *>(p).
+  // Uses that depend on an object's class: typeid(*p), dynamic_cast<T *>(p).
   void class_asked(clang::Expr const *object) { decides_by_pointer(object); }
   void reference_member(clang::MemberExpr const *member);
   void made_in_place(clang::CXXNewExpr const *made);
@@ -163,7 +163,7 @@ public:
   void pointer_cast(clang::CastExpr const *cast);
   void read_view(clang::Expr const *value);
   void atomic_builtin(clang::AtomicExpr const *call);
-  // The operand of sizeof or decltype, or what a concept asks of.
+  // The operand of sizeof or decltype, or an operand that a concept examines.
   void looked_at(clang::Expr const *operand);
   void erased(clang::Expr const *operand);
   void kept_by_type(clang::FunctionDecl const *function, std::vector<clang::Expr const *> const &arguments);
@@ -177,17 +177,17 @@ private:
   void shows(clang::CallExpr const *call, clang::FunctionDecl const *function);
   void formatting(clang::CallExpr const *call, clang::FunctionDecl const *function);
   void formatted(clang::CallExpr const *call, clang::FunctionDecl const *function);
-  // `only_looks`: at the object, whose characters may be read later.
+  // `only_looks`: takes the object only, whose characters may be read later.
   void reads_text(clang::SourceLocation reader, clang::Expr const *text, bool only_looks = false);
 
   void name(llvm::StringRef name, clang::SourceLocation begin, clang::SourceLocation end);
 
   bool compares_exactly(clang::Expr const *side, clang::Expr const *constant);
-  // The type as a cast or a macro argument spells it, wherever that stands: value_type is a name in its class only.
+  // The type as a cast or a macro argument spells it in any scope: value_type is a name in its class only.
   std::string spelled(clang::QualType type) const;
 
   using Arguments = llvm::ArrayRef<clang::Expr const *>;
-  // `call`: where the call is written.
+  // `call`: location of the call.
   void arguments(clang::SourceLocation call, clang::FunctionDecl const *function, Arguments arguments, bool overloaded);
   void literal_argument(clang::FunctionDecl const *function, unsigned index, clang::Expr const *argument,
                         bool overloaded, unsigned count, Use use = Use::literal);
@@ -210,7 +210,7 @@ private:
   void store_to_union(clang::Expr const *left);
   void number_of_union(clang::Expr const *value);
   bool view_of_union(clang::Expr const *part);
-  // `reads`: what is stored is made of what was there.
+  // `reads`: the stored value depends on the old one.
   void store_to_view(clang::Expr const *left, bool reads);
   bool use_of_view(clang::Expr const *value, clang::DeclRefExpr const *name);
   void uses_of_views();
@@ -218,7 +218,7 @@ private:
   bool moved_bytes(clang::CallExpr const *call, clang::FunctionDecl const *function);
   bool is_lasting_array(clang::Expr const *expression) const;
   void given_bytes(clang::FunctionDecl const *function, unsigned index, clang::Expr const *argument);
-  // `named`: the expression that gives the name and the place, if it is another one. `words`: further arguments of the
+  // `named`: the expression that supplies name and place, if it is another one. `words`: further arguments of the
   // macro, before them.
   void note(clang::Expr const *expression, Use use, clang::Expr const *named = nullptr, std::string const &words = "");
   bool may_outlive(clang::Expr const *expression) const;
@@ -243,7 +243,7 @@ private:
   void range(Arguments arguments, std::size_t first, Use begin, Use end);
   void operator_call(clang::CXXOperatorCallExpr const *call, clang::FunctionDecl const *function);
 
-  // How many bits gcc's C computes an integer in; null for what is none.
+  // Width in which gcc's C computes an integer; 0 bits for other types.
   struct Width {
     unsigned bits = 0;
     bool is_signed = true;
@@ -255,16 +255,16 @@ private:
   void as_width(clang::SourceLocation operation, clang::Expr const *operand, Width width);
 
   void wrap(clang::Expr const *expression, Use use, std::string detail = {});
-  // What becomes of it for `user` alone (SourceMap::range_for).
+  // Wraps the expression for `user` alone (SourceMap::range_for).
   std::optional<Span> wrap_for(clang::SourceLocation user, clang::Expr const *expression, Use use,
                                std::string detail = {});
   void type_asked(clang::SourceLocation user, clang::Expr const *expression, std::string const &place);
-  // An implicit conversion that is written out.
+  // Spells an implicit conversion out.
   void convert(clang::Expr const *expression, Use use, std::string type);
   void converted_number(clang::ImplicitCastExpr const *cast, bool decides);
   void report(DiagnosticId id, clang::SourceLocation location, std::string message,
               std::optional<Severity> unusual = {});
-  // The literal of an initializer or argument: double, and double in the symbolic program too.
+  // Whether an initializer or argument is a literal that stays double in the symbolic program.
   bool is_plain_double(clang::Expr const *expression) const;
 
   clang::ASTContext &context_;
@@ -281,22 +281,23 @@ private:
     std::function<void()> handler;
   };
   std::vector<Waiting> waiting_;
-  // What handlers tell each other.
+  // State shared between handlers.
   llvm::SmallPtrSet<clang::Expr const *, 32> judged_;        // names whose use is noted already
-  llvm::SmallPtrSet<clang::Expr const *, 8> printed_;        // copies that are made for that
-  llvm::SmallPtrSet<clang::Expr const *, 8> iterators_;      // calls that give one, through which nothing is read
-  llvm::SmallPtrSet<clang::Expr const *, 4> counting_casts_; // to bytes, which nobody looks at
-  llvm::SmallPtrSet<clang::VarDecl const *, 4> views_;       // local pointers to integers, where numbers lie
-  std::vector<std::pair<clang::Expr const *, clang::DeclRefExpr const *>> through_pointers_; // may look through those
-  std::vector<std::pair<clang::Expr const *, clang::DeclRefExpr const *>> stores_through_;   // or store
-  llvm::SmallPtrSet<clang::VarDecl const *, 4> views_of_one_;   // those where one number lies
-  llvm::SmallPtrSet<clang::Expr const *, 4> compared_exactly_;  // conversions to long double that change nothing
+  llvm::SmallPtrSet<clang::Expr const *, 8> printed_;        // copies made for printing
+  llvm::SmallPtrSet<clang::Expr const *, 8> iterators_;      // calls that return one without reading through it
+  llvm::SmallPtrSet<clang::Expr const *, 4> counting_casts_; // to bytes, only for address arithmetic or free
+  llvm::SmallPtrSet<clang::VarDecl const *, 4> views_;       // local pointers to integers that point to numbers
+  std::vector<std::pair<clang::Expr const *, clang::DeclRefExpr const *>>
+      through_pointers_; // reads that may go through those
+  std::vector<std::pair<clang::Expr const *, clang::DeclRefExpr const *>> stores_through_; // stores that may
+  llvm::SmallPtrSet<clang::VarDecl const *, 4> views_of_one_;   // those that point to a single number
+  llvm::SmallPtrSet<clang::Expr const *, 4> compared_exactly_;  // exact conversions to long double
   llvm::SmallPtrSet<clang::Expr const *, 4> compared_pointers_; // conversions that C++ makes as well
-  llvm::SmallPtrSet<clang::Expr const *, 8> promoted_;          // conversions of arguments that are written out
+  llvm::SmallPtrSet<clang::Expr const *, 8> promoted_;          // argument conversions that are written out
   llvm::DenseMap<clang::Expr const *, Width> widths_;
-  llvm::SmallPtrSet<clang::Expr const *, 32> callees_;   // names of functions that are called there
-  std::optional<Note> instance_;                         // what is looked at belongs to it
-  llvm::SmallPtrSet<clang::Expr const *, 32> discarded_; // calls whose value nobody uses
+  llvm::SmallPtrSet<clang::Expr const *, 32> callees_;   // names of called functions
+  std::optional<Note> instance_;                         // the instantiation being visited
+  llvm::SmallPtrSet<clang::Expr const *, 32> discarded_; // calls whose value is unused
 };
 
 } // namespace symreal::rewrite

@@ -35,7 +35,7 @@ void Collector::comparison(BinaryOperator const *comparison) {
   for (Expr const *side : {left, right})
     if (auto const *cast = dyn_cast<ImplicitCastExpr>(side); cast && cast->getType()->isPointerType()) {
       compared_pointers_.insert(cast);
-      // C++ compares with void *, and what is const with what is not. An operand has no context to go by.
+      // C++ compares with void *, and const with non-const pointers. An operand lacks a context that implies its type.
       QualType const from = cast->getSubExpr()->getType(), to = cast->getType();
       if (is_pointer_of_c(cast) && !from->isVoidPointerType() &&
           !context_.hasSameUnqualifiedType(from->getPointeeType(), to->getPointeeType()))

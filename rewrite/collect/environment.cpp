@@ -1,4 +1,4 @@
-// errno, and the flags and modes of floating-point arithmetic: what a kernel may ask or tell beside its numbers.
+// errno, and the flags and modes of floating-point arithmetic: state that a kernel may read or set beside its numbers.
 #include "rewrite/collect/collector.h"
 #include "rewrite/model/library.h"
 #include "rewrite/text/pragma_text.h"
@@ -8,7 +8,7 @@ using namespace clang;
 
 namespace {
 
-// `errno` is what a function of the C library points to.
+// `errno` expands to the target of a pointer that a function of the C library returns.
 bool is_error_number(Expr const *expression) {
   auto const *target = dyn_cast<UnaryOperator>(expression->IgnoreParens());
   if (!target || target->getOpcode() != UO_Deref) return false;

@@ -51,7 +51,7 @@ EnumDecl const *enumeration_of(Expr const *expression) {
   return enumerator ? cast<EnumDecl>(enumerator->getDeclContext())->getCanonicalDecl() : nullptr;
 }
 
-// Is its type an enumeration in C++? In C, that of ?: is an integer as well.
+// Whether the type is an enumeration in C++. In C, that of ?: is an integer as well.
 bool is_enumeration(Expr const *expression) {
   expression = expression->IgnoreParenImpCasts();
   if (auto const *choice = dyn_cast<ConditionalOperator>(expression))
@@ -136,8 +136,8 @@ void Collector::implicit_cast(ImplicitCastExpr const *cast, bool decides) {
   }
 }
 
-// The operator is built in for double. Those of REAL are found where an operand is one, and where others of the program
-// are found too a plain number could go either way.
+// The operator is built in for double. Those of REAL are found if an operand is one; with further operators of the
+// program a plain number would be ambiguous.
 void Collector::converted_operands(BinaryOperator const *operation, DeclContext const *from) {
   Expr const *const left = operation->getLHS(), *const right = operation->getRHS();
   bool const is_known = !operation->isTypeDependent() && !left->isTypeDependent() && !right->isTypeDependent();
@@ -188,7 +188,7 @@ void Collector::removed_member(CXXMemberCallExpr const *call) {
     facts_.wraps.insert({*span, Use::instead, constructs ? "::std::construct_at" : "::std::destroy_at"});
 }
 
-// Has the program an operator of this kind that is found by its name alone?
+// Whether unqualified look-up finds an operator of the program of this kind.
 bool Collector::has_operator(OverloadedOperatorKind kind, DeclContext const *from) const {
   DeclarationName const name = context_.DeclarationNames.getCXXOperatorName(kind);
   for (DeclContext const *at = from ? from : context_.getTranslationUnitDecl(); at; at = at->getParent()) {
@@ -216,7 +216,7 @@ void Collector::explicit_cast(ExplicitCastExpr const *cast) {
 void Collector::function_value(DeclRefExpr const *name) {
   auto const *function = dyn_cast<FunctionDecl>(name->getDecl());
   if (!function || !reals_.is_math(function) || function->isVariadic()) return;
-  auto const is_kept = [](QualType type) { // the overload has a number there, or what the original has
+  auto const is_kept = [](QualType type) { // the overload has a number there, or the original's type
     if (QualType const pointee = type->getPointeeType(); !pointee.isNull() && !type->isReferenceType()) type = pointee;
     return !type->isReferenceType() && (Reals::is_double(type) || type->isSpecificBuiltinType(BuiltinType::Int));
   };
@@ -243,7 +243,7 @@ void Collector::builtin(DeclRefExpr const *name) {
   if (!function || function->getBuiltinID() == 0 || !map_.in_roots(name->getBeginLoc())) return;
   llvm::StringRef known = function->getName();
   if (!known.consume_front("__builtin_") || !Reals::is_math_name(known) || known == "sincos") return;
-  // One that a macro of the library's spells, or pastes, does what the library wants.
+  // A name that a library's macro spells, or pastes, is the library's concern.
   if (std::optional<Span> const span = map_.token(name->getLocation(), function->getName()))
     facts_.types.insert({*span, "SYMREAL_REAL_BUILTIN(" + known.str() + ")"});
 }
@@ -258,7 +258,7 @@ void Collector::compound_assignment(CompoundAssignOperator const *assignment) {
   if (Reals::is_double(left->getType())) return;
   if (!left->getType()->isArithmeticType() || !Reals::is_double(assignment->getComputationResultType())) return;
   if (!reals_.is_real(assignment->getRHS()) && reals_.stays_double(assignment->getRHS())) return;
-  // The runtime has an operator that does what the original did. It takes a reference.
+  // The runtime has an operator with the original's effect. It takes a reference.
   if (reals_.is_symbolic_integer(left)) return; // its class has one
   if (!ScalarState::has_address(left))
     report(DiagnosticId::implicit_narrowing, assignment->getOperatorLoc(),
@@ -279,7 +279,7 @@ void Collector::choice(ConditionalOperator const *choice) {
   if (Reals::is_double(literal->getType())) wrap(literal, Use::literal);
 }
 
-// constexpr double k = half(2.): the variable stays double, and what the rewritten function returns does not.
+// constexpr double k = half(2.): the variable stays double, unlike the result of the rewritten function.
 void Collector::constant_initializer(Expr const *initializer) {
   if (!initializer || initializer->isTypeDependent()) return;
   if (auto const *list = dyn_cast<InitListExpr>(initializer->IgnoreImplicit())) {
@@ -292,7 +292,7 @@ void Collector::constant_initializer(Expr const *initializer) {
     wrap(initializer, Use::value);
 }
 
-// `auto s = 0.0`: the literal says what the type is.
+// `auto s = 0.0`: the literal determines the type.
 void Collector::deduced_variable(VarDecl const *variable) {
   TypeSourceInfo const *written = variable->getTypeSourceInfo();
   Expr const *initializer = variable->getInit();

@@ -35,7 +35,7 @@ public:
         }
     return Walk::TraverseLambdaExpr(lambda);
   }
-  // Neither what is not evaluated is looked at nor what the compiler computes.
+  // Unevaluated operands and constant expressions are skipped.
   bool TraverseUnaryExprOrTypeTraitExpr(UnaryExprOrTypeTraitExpr *) override { return true; }
   bool TraverseCXXNoexceptExpr(CXXNoexceptExpr *) override { return true; }
   bool TraverseTypeLoc(TypeLoc) override { return true; }
@@ -84,7 +84,7 @@ public:
   }
 
 private:
-  // While it lives, what is walked belongs to this instantiation, or to none.
+  // Scope of an instantiation: facts collected within belong to it, or to none.
   class Scope {
   public:
     Scope(Instances &walk, std::optional<Note> instance)
@@ -130,7 +130,7 @@ private:
 
   SourceMap const &map_;
   Collector collect_;
-  std::optional<Note> instance_; // what is walked is part of it
+  std::optional<Note> instance_; // the enclosing instantiation
 };
 
 } // namespace

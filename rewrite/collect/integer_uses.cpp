@@ -65,7 +65,7 @@ public:
   bool VisitForStmt(ForStmt *loop) override { return loop_condition(loop->getCond()); }
   bool VisitWhileStmt(WhileStmt *loop) override { return loop_condition(loop->getCond()); }
   bool VisitDoStmt(DoStmt *loop) override { return loop_condition(loop->getCond()); }
-  // A class and a number are no alternatives.
+  // A class and a number cannot be alternatives of `?:`.
   bool VisitConditionalOperator(ConditionalOperator *choice) override {
     if (!Reals::is_integer(choice->getType())) return true;
     make_plain(choice->getTrueExpr());
@@ -74,7 +74,7 @@ public:
   }
 
 private:
-  // A mathematical function of which every argument is a number: an integer becomes one.
+  // Whether a mathematical function takes numbers only: an integer argument is converted.
   bool computes_with_numbers(FunctionDecl const *function) const {
     if (!reals_.is_math(function) || !Reals::is_double(function->getReturnType())) return false;
     std::span<OperationInfo const> const table = operations();
@@ -83,8 +83,8 @@ private:
     });
   }
 
-  // What is printed needs no decision; any other function is chosen by the type of a plain integer, and a variadic one
-  // of the program may compute with it.
+  // A printed argument stays symbolic; any other function is selected by the type of a plain integer, and a variadic
+  // one of the program may compute with it.
   void argument(Expr const *argument, bool is_printed) {
     if (table_indices_.contains(argument)) return;
     if (!is_printed || !depends_(argument)) return make_plain(argument);
@@ -119,7 +119,7 @@ private:
     return written_->contains(span);
   }
 
-  // Does the object have elements side by side, with this many indices?
+  // Whether the object has contiguous elements, with this many indices.
   static bool is_table(QualType type, std::size_t indices) {
     for (std::size_t k = 0; k < indices; ++k) {
       type = type.getNonReferenceType();

@@ -46,8 +46,8 @@ private:
            declaration->hasAttr<MaxFieldAlignmentAttr>() || declaration->hasAttr<NoUniqueAddressAttr>();
   }
 
-  // Behind a structure of C's kind the next member begins after its padding, behind another class within it; with a
-  // REAL among its members it is another class.
+  // A derived class's next member begins behind the padding of a POD base, but within that of another class; a REAL
+  // among its members makes the base non-POD.
   void keep_padding(CXXRecordDecl const *shared, RecordDecl const *user) {
     if (!shared->isPOD() || !reals_.carries_real(context_.getRecordType(shared)) || shared->isUnion()) return;
     ASTRecordLayout const &layout = context_.getASTRecordLayout(shared);

@@ -1,5 +1,5 @@
-// Classes whose layout a compiler may choose otherwise where a number is a class: their sizes and offsets are written
-// down for it to check, and what it would put into the padding of a base class is kept out of it.
+// Layout of classes that depends on a number being a class: sizes and offsets are written down for the compiler to
+// check, and members are kept out of a base class's padding.
 #pragma once
 
 #include "rewrite/facts/facts.h"

@@ -1,4 +1,4 @@
-// Where the standard library, which is not rewritten, converts a number (<symreal/library_conversions.h>).
+// Conversions of numbers within the standard library, which is not rewritten (<symreal/library_conversions.h>).
 #include "rewrite/collect/collector.h"
 
 namespace symreal::rewrite {
@@ -8,7 +8,7 @@ namespace {
 
 bool is_plain_number(QualType type) { return type->isArithmeticType() && !Reals::is_double(type); }
 
-// What a pointer or an iterator leads to; null of anything else.
+// Element type of a pointer or iterator; null for any other type.
 QualType element_type(QualType iterator) {
   iterator = iterator.getNonReferenceType();
   if (iterator->isPointerType()) return iterator->getPointeeType().getUnqualifiedType();
@@ -33,7 +33,7 @@ FunctionDecl const *called(Expr const *callable) {
   return name ? dyn_cast<FunctionDecl>(name->getDecl()) : nullptr;
 }
 
-// Of an algorithm that writes elements: which argument says where. Zero: it is none of them.
+// Index of the output iterator among an algorithm's arguments; 0 for other functions.
 unsigned output_of(llvm::StringRef algorithm, unsigned arguments) {
   if (algorithm == "copy" || algorithm == "copy_n" || algorithm == "copy_if" || algorithm == "move" ||
       algorithm == "partial_sum" || algorithm == "adjacent_difference")

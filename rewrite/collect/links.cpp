@@ -117,8 +117,8 @@ private:
     return at->second = std::move(all);
   }
 
-  // What the syntax tree does not have: a destructor destroys the members and bases, and the definition of a class's
-  // key function brings the table of its virtual functions.
+  // References without a node in the syntax tree: a destructor destroys the members and bases, and the definition of a
+  // class's key function brings the table of its virtual functions.
   static void members(FunctionDecl const *function, std::vector<Decl const *> &all) {
     auto const *method = dyn_cast<CXXMethodDecl>(function);
     if (!method) return;

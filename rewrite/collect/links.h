@@ -1,5 +1,5 @@
-// Which symbols of other sources each symbol of a source needs, as its object file will. What cannot run counts as
-// well: the compiler has to be given it.
+// Undefined symbols of each symbol of a source, as its object file will have them. Dead code counts as well: the linker
+// needs its definitions.
 #pragma once
 
 #include "rewrite/facts/facts.h"

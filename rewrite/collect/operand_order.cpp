@@ -18,7 +18,7 @@ public:
   static bool is_within(Expr const *expression, ASTContext const &context) {
     return !Movable(context).TraverseStmt(const_cast<Expr *>(expression)); // ends at the first
   }
-  bool TraverseCallExpr(CallExpr *) override { return true; } // what a function is given stays its argument
+  bool TraverseCallExpr(CallExpr *) override { return true; } // arguments stay in place
   bool VisitUnaryOperator(UnaryOperator *unary) override { return unary->getOpcode() != UO_Minus; }
   bool VisitAbstractConditionalOperator(AbstractConditionalOperator *) override { return false; }
   bool VisitBinaryOperator(BinaryOperator *binary) override {
@@ -47,7 +47,7 @@ bool is_variable(Expr const *expression) {
   return isa_and_nonnull<VarDecl>(declaration) && !declaration->getType()->isReferenceType();
 }
 
-// It begins with the left operand, but puts a variable last where the operands may be exchanged.
+// Whether gcc evaluates the right operand first: it does if the operands commute and the left one is a variable.
 bool gcc_begins_on_the_right(BinaryOperator const *binary) {
   bool const commutes = binary->getOpcode() == BO_Add || binary->getOpcode() == BO_Mul || binary->isComparisonOp();
   return commutes && is_variable(binary->getLHS());
@@ -63,7 +63,7 @@ public:
 
   bool shouldVisitTemplateInstantiations() const override { return true; }
   bool shouldVisitImplicitCode() const override { return false; }
-  bool TraverseDecltypeTypeLoc(DecltypeTypeLoc) override { return true; } // nothing in it is evaluated
+  bool TraverseDecltypeTypeLoc(DecltypeTypeLoc) override { return true; } // unevaluated
   bool TraverseLambdaExpr(LambdaExpr *lambda) override {
     if (FunctionTemplateDecl *generic = lambda->getLambdaClass()->getDependentLambdaCallOperator())
       for (FunctionDecl *one : generic->specializations())
@@ -90,7 +90,7 @@ public:
     bool const may_move = Movable::is_within(left, context_) || Movable::is_within(right, context_);
     bool const is_known = !may_move || !named_.of(left).meet(named_.of(right));
     if (is_known && gcc_begins_on_the_right(binary)) return true; // as with the operator of a class
-    // In an argument of a macro the operands may be of any types, as in a template.
+    // Operands in a macro's argument may be of any types, as in a template.
     if (span && names_function(right))
       return refuse(binary->getOperatorLoc(), "one operand is evaluated late, and asks for the name of its function"),
              true;
@@ -127,7 +127,7 @@ public:
   }
 
 private:
-  // Is it said already, in a text that was rewritten before?
+  // Whether an earlier rewriting has handled the operand.
   bool is_told(Expr const *operand) const {
     SourceLocation const begin = operand->getBeginLoc();
     return map_.is_argument_of(begin, "REAL_LATER") || map_.is_argument_of(begin, "REAL_NOW");

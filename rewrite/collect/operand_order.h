@@ -1,6 +1,6 @@
-// Operands that change what the other reads. The language leaves open which of them is evaluated first; compilers have
-// one order for the operators of the language and another for those of a class, and read an argument that is a number
-// at another time than one that is a class. What gcc does with the original is spelled out where it matters.
+// Operands with side effects on each other. The language leaves their order open; compilers have one order for built-in
+// operators and another for those of a class, and read an argument that is a number at another time than one that is a
+// class. The rewriter spells out gcc's order for the original where it matters.
 #pragma once
 
 #include "rewrite/facts/facts.h"

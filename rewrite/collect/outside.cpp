@@ -1,5 +1,5 @@
-// Calls of functions that are compiled elsewhere, or that read what a library keeps: what they give is baked in, like
-// other state. Those of the standard library are known (support/outside.def); `external` declares others.
+// Calls of functions that are compiled elsewhere, or that read a library's state: their results are baked in like other
+// state. Functions of the standard library are known (support/outside.def); `external` declares others.
 #include "rewrite/collect/collector.h"
 
 #include <clang/Tooling/Inclusions/StandardLibrary.h>
@@ -9,7 +9,7 @@ using namespace clang;
 
 namespace {
 
-// Those that tell the recording themselves.
+// Whether the function has a hook that reports its results to the recording.
 bool is_watched(llvm::StringRef name) {
   static llvm::StringSet<> const names = {
 #define OUTSIDE(result, symbol, name, parameters, arguments) #symbol,

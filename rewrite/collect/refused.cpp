@@ -3,7 +3,7 @@
 namespace symreal::rewrite {
 using namespace clang;
 
-// It works on the bytes of its operands. An operand in memory has no conversion that shows that its value is used.
+// Inline assembly works on its operands' bytes. A memory operand lacks a conversion that shows a use of its value.
 void Collector::assembly(GCCAsmStmt const *assembly) {
   auto const refuse = [&](Expr const *operand) {
     if (reals_.carries_real(operand->getType()))
@@ -20,7 +20,7 @@ void Collector::assembly(GCCAsmStmt const *assembly) {
 
 namespace {
 
-// Does what is written initialise one element whole, rather than the first of an element's own?
+// Whether the written initialiser covers one element whole, rather than the first of the element's own.
 bool is_whole(Expr const *written, QualType element) {
   return !element->isAggregateType() || isa<InitListExpr, StringLiteral>(written->IgnoreParens()) ||
          written->getType()->isRecordType();
@@ -28,8 +28,8 @@ bool is_whole(Expr const *written, QualType element) {
 
 } // namespace
 
-// C++ has designators in the order of the members, one name each. Those of arrays are compiled if they skip nothing;
-// what they skip is written out.
+// C++ requires designators in the order of the members, one name each. Those of arrays compile if they skip nothing;
+// skipped elements are written out.
 void Collector::designators(InitListExpr const *list) {
   if (map_.language().CPlusPlus) return;
   InitListExpr const *written = list->isSemanticForm() ? list->getSyntacticForm() : list;

@@ -6,7 +6,7 @@
 namespace symreal::rewrite {
 using namespace clang;
 
-// Is the token part of the body of a macro that is defined outside the roots?
+// Whether the token comes from the body of a macro that is defined outside the roots.
 static bool is_library_macro(SourceLocation location, SourceMap const &map) {
   SourceManager const &sources = map.sources();
   if (!sources.isMacroBodyExpansion(location)) return false;
@@ -14,7 +14,7 @@ static bool is_library_macro(SourceLocation location, SourceMap const &map) {
   return sources.getFileEntryRefForID(sources.getFileID(spelled)) && !map.in_roots(spelled);
 }
 
-// Wraps the expression in a macro that says what it is called and where it stands.
+// Wraps the expression in a macro that reports its name and place.
 void Collector::note(Expr const *expression, Use use, Expr const *named, std::string const &words) {
   SourceLocation const begin = expression->getBeginLoc();
   if (!map_.in_roots(begin)) return;
@@ -37,7 +37,7 @@ void Collector::note(Expr const *expression, Use use, Expr const *named, std::st
       {*span, use, words + in_quotes(name) + ", " + in_quotes(to_string(map_.place(named->getBeginLoc())))});
 }
 
-// Is it part of a variable of which no scalar changes? The target of a pointer is not.
+// Whether the expression is part of a variable whose scalars never change. The target of a pointer is not.
 bool Collector::is_fixed(Expr const *expression) const {
   Expr const *part = spelled_expression(expression);
   while (!isa<DeclRefExpr>(part)) {
@@ -77,7 +77,7 @@ void Collector::scalar(Expr const *expression, Use use) {
          "cannot tell whether '" + name + "' is hidden state");
 }
 
-// It need not lead to the same constants in the next call, or nowhere. Text is looked at where it is read.
+// A pointer may differ in the next call, even one to constants. Text is checked where it is read.
 static bool is_object_pointer(QualType type) {
   return type->isObjectPointerType() && !is_character(type->getPointeeType());
 }
@@ -145,7 +145,7 @@ void Collector::assignment(BinaryOperator const *assignment) {
   Use const use = assignment->isCompoundAssignmentOp() ? Use::read : Use::written;
   store_to_view(left, use == Use::read);
   if (use == Use::written) store_to_union(left);
-  if (use == Use::written) // what an overwritten union holds does not matter
+  if (use == Use::written) // the old contents of an overwritten union do not matter
     for (auto const *member = dyn_cast<MemberExpr>(left); member;
          member = dyn_cast<MemberExpr>(member->getBase()->IgnoreParenImpCasts()))
       judged_.insert(member);
@@ -173,7 +173,7 @@ void Collector::step(UnaryOperator const *step) {
 
 namespace {
 
-// Could the expression name a number that is not the function's own, as far as a template tells?
+// Whether the expression could name a number other than the function's own, as far as a template shows.
 bool names_object(Expr const *expression) {
   if (auto const *reference = dyn_cast<DeclRefExpr>(expression))
     return isa<VarDecl>(reference->getDecl()) && reference->getDecl()->getType()->isReferenceType();
@@ -184,7 +184,7 @@ bool names_object(Expr const *expression) {
 
 } // namespace
 
-// How two pointers lie is decided by both. Whether one is null is looked at where it is read.
+// The relative position of two pointers depends on both. Tests for null are checked where the pointer is read.
 void Collector::related_pointers(BinaryOperator const *operation) {
   if (operation->isTypeDependent() || (operation->getOpcode() != BO_Sub && !operation->isComparisonOp())) return;
   Expr const *const sides[] = {operation->getLHS(), operation->getRHS()};
@@ -198,8 +198,8 @@ void Collector::related_pointers(BinaryOperator const *operation) {
       decides(pointer);
 }
 
-// In a template the types, and with them most of the conversions that show a use, are not known yet. What stands beside
-// an arithmetic operator is used; the macro passes what is no number.
+// A template leaves the types open, and with them most of the conversions that show a use. An operand of an arithmetic
+// operator counts as a use; the macro passes other types on.
 void Collector::dependent_operands(BinaryOperator const *operation) {
   if (!operation->isTypeDependent() ||
       (!operation->isAdditiveOp() && !operation->isMultiplicativeOp() && !operation->isAssignmentOp()))
@@ -210,8 +210,8 @@ void Collector::dependent_operands(BinaryOperator const *operation) {
     note(left, operation->getOpcode() == BO_Assign ? Use::written : Use::read);
 }
 
-// In an instantiation, where the template does not say what it is: Limits<T>::low, limit<T>, limit_of<T>(), or the
-// argument of the template itself.
+// A value that the template leaves open: Limits<T>::low, limit<T>, limit_of<T>(), or the argument of the template
+// itself.
 void Collector::instantiated_read(Expr const *value) {
   value = value->IgnoreParens();
   Expr const *named = value;
@@ -233,7 +233,7 @@ void Collector::dependent_value(Expr const *value) {
 }
 
 void Collector::dependent_call(CallExpr const *call) {
-  // stream.operator<<(x): the operator for REALs is no member.
+  // stream.operator<<(x): the operator for REALs is a free function.
   if (auto const *member = dyn_cast<UnresolvedMemberExpr>(call->getCallee()->IgnoreParenImpCasts()))
     if (member->getMemberName().getCXXOverloadedOperator() == OO_LessLess && call->getNumArgs() == 1 &&
         member->getNamingClass()->isInStdNamespace() && call->getArg(0)->isTypeDependent())
@@ -245,7 +245,7 @@ void Collector::dependent_call(CallExpr const *call) {
     if (names_object(argument->IgnoreParens())) note(argument->IgnoreParens(), Use::read);
 }
 
-// `for (double x : list)` copies elements without a word.
+// Notes the implicit copies of elements in `for (double x : list)`.
 void Collector::copied_elements(CXXForRangeStmt const *loop) {
   Expr const *range = spelled_expression(loop->getRangeInit());
   if (range->isTypeDependent() || !range->isGLValue()) return;
@@ -276,14 +276,14 @@ void Collector::state(VarDecl const *variable, Expr const *reference, bool is_de
           : written_first_.is_likely(variable) ? Use::local_state
                                                : Use::state;
   wrap(reference, use, to_string(map_.place(variable->getCanonicalDecl()->getLocation())));
-  // Where types are not known yet, every mention counts as a use.
+  // A mention with a dependent type counts as a use.
   if (is_dependent)
     later([this, reference] {
       if (!judged_.contains(reference)) note(reference, Use::read);
     });
 }
 
-// Lets a class tell its members, so that a whole object can be looked through, the private ones included.
+// Makes the class enumerate its members, private ones included, so that the runtime can visit a whole object.
 void Collector::members(RecordDecl const *record) {
   if (!record->isThisDeclarationADefinition() || record->isImplicit() || record->isUnion() || record->isLambda())
     return;

@@ -1,5 +1,5 @@
-// Whole objects that may outlive a kernel and that are given to code that is not rewritten: what it reads and changes
-// there is noted where they are given.
+// Whole objects that may outlive a kernel and that are passed to code that is not rewritten: its reads and changes are
+// noted at the call.
 #include "rewrite/collect/collector.h"
 #include "rewrite/model/library.h"
 #include "rewrite/model/text_functions.h"
@@ -15,7 +15,7 @@ std::string name_of(FunctionDecl const *function) {
   return function->getDeclName().isIdentifier() ? function->getName().str() : std::string();
 }
 
-// What a library's member function does with the numbers of its object, where the name says more than the type.
+// Effect of a library's member function on the numbers of its object, if the name says more than the type.
 enum class Effect { reads, overwrites, changes, nothing };
 
 Effect effect(CXXMethodDecl const *method) {
@@ -36,7 +36,7 @@ Effect effect(CXXMethodDecl const *method) {
   return found == known.end() ? Effect::reads : found->second;
 }
 
-// A container of the standard library that may have more elements or fewer.
+// Whether the type is a container of the standard library with a variable number of elements.
 bool counts(QualType type) {
   auto const *record = type.getNonReferenceType()->getAsCXXRecordDecl();
   return record && record->isInStdNamespace() && (Storage::owns_elements(type) || Storage::is_view(type)) &&
@@ -44,7 +44,7 @@ bool counts(QualType type) {
          record->getName() != "complex";
 }
 
-// A function that changes its object unless it only shows a part of it. Of numbers the parts tell.
+// Whether a function changes its object rather than returning a part of it. Uses of the part show changes of numbers.
 bool changes_value(CXXMethodDecl const *method) {
   std::string const name = name_of(method);
   bool const shows = llvm::StringSwitch<bool>(name)
@@ -78,10 +78,10 @@ bool takes_over(FunctionDecl const *function) {
   return name == "swap" || name == "exchange" || name == "getline";
 }
 
-// The same with what a function of the caller gives, which may read the range.
+// Whether the function stores results of the caller's function, which may read the range.
 bool asks_caller(FunctionDecl const *function) { return llvm::StringRef(name_of(function)).starts_with("generate"); }
 
-// Which argument of a function of <algorithm> or <numeric> says where it writes, and reads nothing; else -1u.
+// Index of the output-only argument of a function of <algorithm> or <numeric>; else -1u.
 unsigned output_of(FunctionDecl const *function, std::size_t arguments) {
   if (!function->isInStdNamespace() || arguments < 3) return -1u;
   return llvm::StringSwitch<unsigned>(name_of(function))
@@ -122,7 +122,7 @@ void Collector::object(Expr const *expression, Use use) {
   if (expression->isTypeDependent() || type->isPointerType() || Reals::is_double(type)) return;
   if (!expression->isGLValue() && !Storage::is_view(type)) return;
   if (!type->isRecordType() && !type->isArrayType()) return;
-  // Text is looked at where it is read, and an argument such as a function is the caller's choice, as a count is.
+  // Text is checked where it is read; an argument such as a function is the caller's choice, like a count.
   if (use == Use::read && (is_string(type) || (is_parameter(expression) && ScalarState::is_opaque(type)))) return;
   if (use == Use::read && is_fixed(expression) && !reals_.carries_real(type)) return;
   if (use == Use::read && scalars_.is_unknown(type)) decides(expression);
@@ -133,12 +133,12 @@ void Collector::object(Expr const *expression, Use use) {
     leads(expression);
 }
 
-// It holds something that neither its numbers nor its elements tell.
+// Whether an object holds a value besides its numbers and elements.
 bool Collector::is_value(QualType type) const {
   return ScalarState::has_value_of_its_own(type) || scalars_.is_unknown(type);
 }
 
-// Its value before is part of that afterwards.
+// Notes a change whose result depends on the old value.
 void Collector::changed_value(Expr const *expression) {
   decides(expression);
   object(expression, Use::written);
@@ -151,11 +151,11 @@ void Collector::leads(Expr const *expression) {
   QualType const type = expression->getType();
   if (expression->isTypeDependent() || !expression->isGLValue() || !type->isRecordType()) return;
   auto const *operation = dyn_cast<CXXOperatorCallExpr>(expression);
-  if (operation && operation->isInfixBinaryOp()) return; // a stream, or Eigen's comma: what the call has made
+  if (operation && operation->isInfixBinaryOp()) return; // a stream, or Eigen's comma: the call's own result
   if (Storage::holds_pointer(type) && !is_fixed(expression) && may_outlive(expression)) wrap(expression, Use::leads);
 }
 
-// The text, the pointer to an object or the container decides what the kernel does. As an argument it is the caller's
+// Notes that text, a pointer to an object, or a container decides the kernel's path. An argument is the caller's
 // choice.
 void Collector::decides(Expr const *expression) {
   expression = spelled_expression(expression);
@@ -166,7 +166,7 @@ void Collector::decides(Expr const *expression) {
   if (!is_fixed(expression) && may_outlive(expression)) note(expression, Use::decides);
 }
 
-// Which function a virtual call reaches.
+// Notes that the object's class decides which function a virtual call reaches.
 void Collector::dispatch(CXXMemberCallExpr const *call) {
   CXXMethodDecl const *method = call->getMethodDecl();
   auto const *callee = dyn_cast<MemberExpr>(call->getCallee()->IgnoreParens());
@@ -175,7 +175,7 @@ void Collector::dispatch(CXXMemberCallExpr const *call) {
   decides_by_pointer(callee->getBase());
 }
 
-// Through which pointer the object is reached, if it is.
+// Notes that the pointer to the object, if any, decides the kernel's path.
 void Collector::decides_by_pointer(Expr const *object) {
   if (object->isTypeDependent()) return;
   object = spelled_expression(object);
@@ -267,7 +267,7 @@ void Collector::library_object(CallExpr const *call, FunctionDecl const *functio
     object(object_argument, what == Effect::changes ? Use::changed : Use::written);
     return;
   }
-  // An element, or a view: whoever uses it is looked at.
+  // An element or a view is checked where it is used.
   QualType const type = call->getType();
   bool const is_element = call->isGLValue() && reals_.carries_real(type);
   if (is_element || (Storage::holds_pointer(type) && !(call->isGLValue() && type->isPointerType())))
@@ -290,7 +290,7 @@ void Collector::operator_call(CXXOperatorCallExpr const *call, FunctionDecl cons
     object(left, Use::written);
     for (Expr const *shown : rest) printed_.insert(spelled_expression(shown));
     break;
-  case OO_Arrow: leads(left); break; // a smart pointer: whoever uses the member behind it is looked at
+  case OO_Arrow: leads(left); break; // a smart pointer: the member behind it is checked at its use
   case OO_PlusEqual:
   case OO_MinusEqual:
   case OO_StarEqual:
@@ -312,7 +312,7 @@ void Collector::state_of_call(CallExpr const *call) {
   FunctionDecl const *function = call->getDirectCallee();
   if (!function || call->isTypeDependent()) return;
   if (iterators_.contains(call)) return;
-  // A rewritten function is looked at where it stands.
+  // A rewritten function is checked at its definition.
   bool const rewritten = reals_.in_roots(Reals::pattern(function)) && function->getBuiltinID() == 0;
   if (rewritten && !function->isDefaulted()) return;
   if (moved_bytes(call, function)) return;
@@ -355,7 +355,7 @@ void Collector::target(Expr const *pointer) {
 void Collector::targets(CallExpr const *call, FunctionDecl const *function) {
   llvm::StringRef const name = function->getDeclName().isIdentifier() ? function->getName() : "";
   bool const is_checked = name.starts_with("__builtin_") && name.ends_with("_overflow");
-  bool const is_scan = name.ends_with("scanf") || is_checked; // what they write has no parameter
+  bool const is_scan = name.ends_with("scanf") || is_checked; // no parameter declares their outputs
   if (name.contains("atomic") || name == "free" || (function->getBuiltinID() != 0 && name.starts_with("__builtin_va")))
     return;
   for (unsigned i = 0; i < call->getNumArgs(); ++i)

@@ -15,7 +15,7 @@ bool takes_references(CallExpr const *call) {
   return function && is_std_function(function, {"min", "max", "clamp"});
 }
 
-// What a function does with its integer variables.
+// Uses of a function's integer variables.
 class Uses : public Walk {
 public:
   struct Variable {
@@ -24,7 +24,7 @@ public:
   };
   std::map<VarDecl const *, Variable> variables;
   bool fits(Variable const &variable) const { return !unfit_.contains(variable.declared_in); }
-  std::vector<Expr const *> contexts; // where a conversion is computed with
+  std::vector<Expr const *> contexts; // uses of a conversion in arithmetic
 
   bool VisitDeclStmt(DeclStmt *statement) override {
     bool all_fit = true;
@@ -75,7 +75,7 @@ public:
     return true;
   }
 
-  // A variable of which somebody may have the address or a reference.
+  // Excludes variables whose address or reference may escape.
   void finish() {
     for (DeclRefExpr const *reference : references_)
       if (auto const *variable = dyn_cast<VarDecl>(reference->getDecl()))
@@ -130,7 +130,7 @@ public:
       if (depends(expression)) keep(expression);
   }
 
-  // Does the integer depend on a REAL in a way that can be recorded?
+  // Whether the integer depends on a REAL in a way that can be recorded.
   bool depends(Expr const *expression) const {
     return reals_.integer_depends(expression, [this](CastExpr const *cast) { return can_be_spelled(cast); });
   }
@@ -165,7 +165,7 @@ private:
   std::optional<Span> type_span(VarDecl const *variable) const {
     return span_of(variable->getTypeSourceInfo()->getTypeLoc());
   }
-  // The words of the type without its qualifiers; nothing where these stand among them.
+  // Span of the type without its qualifiers; nullopt if these stand in its middle.
   std::optional<Span> span_of(TypeLoc type) const {
     TypeLoc const plain = type.getUnqualifiedLoc();
     std::optional<Span> const span = map_.range(plain.getSourceRange());

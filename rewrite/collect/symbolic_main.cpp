@@ -27,7 +27,7 @@ void Collector::symbolic_main(CallExpr const *call, FunctionDecl const *function
     annotated_structure(call->getArg(1));
 }
 
-// The header knows numbers and containers; where the numbers of a structure lie is told here.
+// The header knows numbers and containers; a structure's layout is passed to it here.
 void Collector::annotated_structure(Expr const *argument) {
   Expr const *object = argument->IgnoreParenImpCasts();
   DescribedObject const described = describe_object(object->getType(), false, context_, reals_);

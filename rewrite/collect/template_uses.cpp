@@ -1,5 +1,5 @@
-// What an instantiation shows that its template does not: which function is called, how an argument converts for it,
-// and whose bytes are looked at. What is wrapped stands in the template, so each macro lets other types pass.
+// Facts that an instantiation shows and its template does not: which function is called, how an argument converts for
+// it, and whose bytes are used. A wrap changes the template's text, so each macro passes other types on.
 #include "rewrite/collect/collector.h"
 
 namespace symreal::rewrite {
@@ -7,7 +7,7 @@ using namespace clang;
 
 namespace {
 
-// A conversion of a double to another number that an argument or a value goes through; null if there is none.
+// A conversion of a double to another arithmetic type around an argument or a value; null without one.
 ImplicitCastExpr const *conversion_of_double(Expr const *expression) {
   while (true) {
     if (auto const *temporary = dyn_cast<MaterializeTemporaryExpr>(expression))
@@ -62,7 +62,7 @@ void Collector::instantiated_arguments(FunctionDecl const *function, Arguments a
     if (ImplicitCastExpr const *cast = conversion_of_double(argument)) {
       Expr const *from = cast->getSubExpr();
       std::optional<Span> const span = map_.range(from->getSourceRange());
-      // Where the template tells it, too, it is converted already.
+      // A conversion that the template shows as well has its wrap already.
       bool const known = span && has_wrap(facts_, *span, Use::conversion);
       if (!known && reals_.is_real(from)) wrap(from, Use::argument, spelled(cast->getType()));
     } else if (is_plain_double(argument)) {

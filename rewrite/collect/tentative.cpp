@@ -1,8 +1,8 @@
-// Variables of a file in C, where C++ has other rules.
+// File-scope variables of C whose rules differ in C++.
 //
-// Constants are known to other files. Tentative definitions: C lets a file define a variable several times, as long as
-// one at most initialises it. For C++ all but one become declarations. One that is static is declared in an unnamed
-// namespace, which gives it the same linkage.
+// Constants have external linkage. Tentative definitions: C lets a file define a variable several times, with at most
+// one initialiser. For C++ all but one become declarations. A static one is declared in an unnamed namespace, which
+// gives it the same linkage.
 #include "rewrite/collect/collector.h"
 
 namespace symreal::rewrite {
@@ -37,7 +37,7 @@ void Collector::tentative_definitions(VarDecl const *variable) {
              "'" + one->getNameAsString() + "' is defined more than once, and here not by a line of its own");
 }
 
-// `extern` in front of what is external in C.
+// Adds `extern` to a constant with external linkage in C.
 bool Collector::declare_external(VarDecl const *variable) {
   auto const [file, offset] = map_.sources().getDecomposedExpansionLoc(variable->getBeginLoc());
   std::optional<Span> const all = map_.range(variable->getSourceRange());
@@ -48,7 +48,7 @@ bool Collector::declare_external(VarDecl const *variable) {
   return true;
 }
 
-// Does it stand alone, as `static type name = ...;`, so that the words around it can be changed?
+// Whether the definition stands alone, as `static type name = ...;`, so that the words around it can be changed.
 bool Collector::tentative_definition(VarDecl const *variable, bool is_definition) {
   bool const is_static = variable->getStorageClass() == SC_Static;
   SourceLocation const begin = variable->getBeginLoc();

@@ -1,5 +1,5 @@
-// Text that is made of REALs, and text that is read: what was written of a symbolic value must not come back, since it
-// is the text of one run. Text that only leaves the program may say what it likes.
+// Text made of REALs, and text that is read: the text of a symbolic value must not be read back, since it belongs to
+// one run. Text that only leaves the program is unrestricted.
 #include "rewrite/collect/collector.h"
 #include "rewrite/model/text_functions.h"
 #include "rewrite/text/pragma_text.h"
@@ -24,8 +24,7 @@ CallExpr const *formatting_call(Expr const *expression) {
   return use == TextUse::memory || use == TextUse::outside ? call : nullptr;
 }
 
-// Is the variable used for anything else than to say where text goes: buffer + length, size - length, buffer[length] =
-// 0?
+// Whether the variable has other uses than as a text's position: buffer + length, size - length, buffer[length] = 0.
 bool is_used(VarDecl const *variable, Stmt const *within) {
   if (!within) return false;
   if (auto const *name = dyn_cast<DeclRefExpr>(within)) return name->getDecl() == variable;
@@ -48,7 +47,7 @@ bool is_used(VarDecl const *variable, Stmt const *within) {
   return llvm::any_of(within->children(), any);
 }
 
-// What strcpy, strdup, fputs, fwrite and their like take.
+// Text operand of strcpy, strdup, fputs, fwrite and their like.
 Expr const *spelled_text(CallExpr const *call) {
   bool const has_target = callee_of(call)->getName().contains("str") && call->getNumArgs() > 1;
   return call->getArg(has_target ? 1 : 0)->IgnoreParenImpCasts();
@@ -62,7 +61,7 @@ bool is_standard_output(Expr const *stream) {
 
 } // namespace
 
-// Calls whose value nobody uses.
+// Collects the calls in a statement whose value is unused.
 void Collector::discarded(Stmt const *statement, FunctionDecl const *function) {
   auto const discard = [&](Stmt const *part) {
     auto const *expression = dyn_cast_or_null<Expr>(part);
@@ -123,7 +122,7 @@ void Collector::formatting(CallExpr const *call, FunctionDecl const *function) {
 }
 
 void Collector::formatted(CallExpr const *call, FunctionDecl const *function) {
-  bool const is_list = function->getName().starts_with("v"); // of what another call was given
+  bool const is_list = function->getName().starts_with("v"); // the list of another call
   bool has_number = is_list, has_text = false;
   for (unsigned i = function->isVariadic() ? function->getNumParams() : 0; i < call->getNumArgs(); ++i) {
     Expr const *argument = call->getArg(i);
@@ -153,7 +152,7 @@ void Collector::formatted(CallExpr const *call, FunctionDecl const *function) {
                            in_quotes(to_string(map_.place(call->getBeginLoc())))});
 }
 
-// A function of the program, which may make text of what it is given through `...`.
+// A call of a variadic function of the program, which may make text of its arguments.
 void Collector::shows(CallExpr const *call, FunctionDecl const *function) {
   if (!function->isVariadic() || isa<CXXMethodDecl>(function)) return;
   auto const *name = dyn_cast<DeclRefExpr>(call->getCallee()->IgnoreParenImpCasts());

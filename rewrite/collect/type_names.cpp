@@ -1,5 +1,5 @@
-// Questions of a program for the name of a type: typeid, what the standard library gives of this kind, and
-// __PRETTY_FUNCTION__. A class stands for double, and the runtime gives the names of the original.
+// Questions of a program for the name of a type: typeid, related functions of the standard library, and
+// __PRETTY_FUNCTION__. A class replaces double, and the runtime returns the names of the original.
 #include "rewrite/collect/collector.h"
 #include "rewrite/text/pragma_text.h"
 
@@ -26,7 +26,7 @@ bool shows_type(FunctionDecl const *function, Reals const &reals) {
 
 } // namespace
 
-// `place`: in the words of the source; none where the type is but compared.
+// `place`: as source text; empty for a mere comparison of types.
 void Collector::type_asked(SourceLocation user, Expr const *expression, std::string const &place) {
   SourceLocation const begin = expression->getBeginLoc();
   if (!map_.in_roots(begin) || !map_.language().CPlusPlus) return;

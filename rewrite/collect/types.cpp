@@ -21,7 +21,7 @@ void Collector::builtin_type(BuiltinTypeLoc type, Passive passive) {
   if (!map_.in_roots(location)) return;
   std::optional<Span> const span = map_.token(location);
   if (!span) {
-    // In a symbolic main written by hand the type is REAL already.
+    // A hand-written symbolic main spells the type as REAL already.
     if (location.isMacroID() &&
         Lexer::getImmediateMacroName(location, map_.sources(), map_.language()) == reserved_type_name)
       return;
@@ -66,7 +66,7 @@ void Collector::typedef_name(TypedefNameDecl const *declaration, SourceLocation 
                              bool within_type) {
   if (!declaration || within_type || reals_.in_roots(declaration) || !map_.in_roots(name)) return;
   if (map_.is_argument_of(name, "REAL_TYPE")) return;
-  if (isa<CXXRecordDecl>(declaration->getDeclContext())) return; // its class says what it is
+  if (isa<CXXRecordDecl>(declaration->getDeclContext())) return; // its class decides
   QualType const type = declaration->getUnderlyingType();
   if (type->isDependentType() || !reals_.mentions_real(type) || Reals::is_passive_class(type)) return;
   std::optional<Span> const span = map_.token(name, declaration->getName());

@@ -1,4 +1,4 @@
-// What goes through `...`: no parameter says there what type it arrives as.
+// Arguments passed through `...`, whose type there no parameter declares.
 #include "rewrite/collect/collector.h"
 #include "rewrite/model/conditions.h"
 #include "rewrite/model/text_functions.h"
@@ -9,7 +9,7 @@ using namespace clang;
 
 namespace {
 
-// std::va_list, or something that leads to one.
+// Whether the type is std::va_list, or a pointer or reference to one.
 bool is_list(QualType type) {
   type = type.getCanonicalType();
   while (true) {
@@ -65,11 +65,11 @@ private:
     return is_list(list->getType()) && isa<DeclRefExpr, MemberExpr>(list) ? list : nullptr;
   }
 
-  // Does the source say which function it is that takes a list?
+  // Whether the source shows which function takes the list; notes that function.
   bool hands(CallExpr const *call, FunctionDecl const *function, Expr const *list) {
     llvm::StringRef const name = function->getIdentifier() ? function->getName() : "";
     if (name.contains("va_end")) return true;
-    if (name.contains("va_start") || name.contains("va_copy")) { // into what others do not see
+    if (name.contains("va_start") || name.contains("va_copy")) { // to a local list
       auto const *variable = dyn_cast<DeclRefExpr>(list);
       auto const *local = variable ? dyn_cast<VarDecl>(variable->getDecl()) : nullptr;
       return local && local->hasLocalStorage() && !local->getType()->isReferenceType();
@@ -92,7 +92,7 @@ private:
   SourceMap const &map_;
   Reals const &reals_;
   ListFact &fact_;
-  llvm::SmallPtrSet<Expr const *, 8> known_; // names of lists in a place that is looked at
+  llvm::SmallPtrSet<Expr const *, 8> known_; // names of lists whose use is understood
   std::vector<Expr const *> met_;
 };
 
@@ -110,8 +110,8 @@ void Collector::argument_list(FunctionDecl const *function) {
   lists.finish();
 }
 
-// An integer for which the symbolic program has a class: a comparison, isnan, what truth values and rounding make. In
-// doubt it may: the macro passes plain integers.
+// Whether the integer may be of a class in the symbolic program: a comparison, isnan, results of truth values and
+// rounding. True in doubt: the macro passes plain integers on.
 bool Collector::may_be_truth(Expr const *argument) const {
   if (!ScalarState::is_integer(argument->getType())) return false;
   if (reals_.is_symbolic_integer(argument) || Conditions(map_, reals_).mentions_real(argument)) return true;
@@ -127,7 +127,7 @@ bool Collector::may_be_truth(Expr const *argument) const {
   return function && Reals::pattern(function)->getDeclaredReturnType()->getContainedAutoType();
 }
 
-// In a template the arguments of printf may turn out to be numbers.
+// The arguments of printf in a template may turn out to be numbers.
 void Collector::dependent_variadic_call(CallExpr const *call) {
   FunctionDecl const *function = call->getDirectCallee();
   if (auto const *names = dyn_cast<UnresolvedLookupExpr>(call->getCallee()->IgnoreParenImpCasts()))

@@ -7,7 +7,7 @@
 namespace symreal::rewrite {
 using namespace clang;
 
-// In the run: of one object its own bytes, of a pointer all that may lie behind it.
+// Adds a run-time check for symbolic bytes: of one object its own, behind a pointer all that may lie there.
 void Collector::looked_into(Expr const *address) {
   auto const *taken = dyn_cast<UnaryOperator>(address->IgnoreParens());
   bool const is_one = taken && taken->getOpcode() == UO_AddrOf && !isa<ArraySubscriptExpr>(taken->getSubExpr());
@@ -17,8 +17,8 @@ void Collector::looked_into(Expr const *address) {
 
 namespace {
 
-// What becomes of a pointer: it is used at once, or a local variable takes it; whatever else keeps it may be read in
-// another kernel than the one that is looked at there.
+// Destination of a pointer: an immediate use or a local variable; any other copy may be read in a kernel other than the
+// one that is analysed.
 struct Destination {
   bool is_kept = false;
   VarDecl const *local = nullptr;
@@ -35,14 +35,14 @@ DeclRefExpr const *named_pointer(Expr const *pointer) {
   return named_pointer(sum->getLHS()->getType()->isPointerType() ? sum->getLHS() : sum->getRHS());
 }
 
-// What p[i] and *p look through; another expression is a pointer itself.
+// Pointer operand of p[i] and *p; any other expression itself.
 Expr const *pointer_of(Expr const *value) {
   if (auto const *element = dyn_cast<ArraySubscriptExpr>(value)) return element->getBase();
   auto const *behind = dyn_cast<UnaryOperator>(value);
   return behind && behind->getOpcode() == UO_Deref ? behind->getSubExpr() : value;
 }
 
-// Of a function that may look at what the pointer leads to.
+// Whether the pointer is passed to a function that may read its pointee.
 bool is_argument(Expr const *pointer, ASTContext &context) {
   for (Expr const *part = pointer;;) {
     DynTypedNodeList const parents = context.getParents(*part);
@@ -81,7 +81,7 @@ Destination destination(Expr const *pointer, ASTContext &context) {
   }
 }
 
-// In *(int *)&x = 1, what is stored to; null where the pointer is used in another way.
+// The stored value in *(int *)&x = 1; null for another use of the pointer.
 Expr const *stored_through(Expr const *pointer, ASTContext &context) {
   for (Expr const *part = pointer;;) {
     DynTypedNodeList const parents = context.getParents(*part);
@@ -106,8 +106,8 @@ bool is_address_of_one(Expr const *pointer) {
 
 } // namespace
 
-// Numbers are looked at as something else, integers as a rule. The run tells whether one of them is symbolic: as soon
-// as the pointer is made, or as soon as something is read through the variable that has it.
+// A view of numbers as another type, integers as a rule. The run checks whether one of them is symbolic: when the
+// pointer is made, or at the first read through the variable that holds it.
 void Collector::view(ExplicitCastExpr const *cast, bool of_integers) {
   Destination const to = cast->getType()->isPointerType() ? destination(cast, context_) : Destination{};
   if (to.is_kept)
@@ -122,7 +122,7 @@ void Collector::view(ExplicitCastExpr const *cast, bool of_integers) {
     looked_into(cast->getSubExprAsWritten());
 }
 
-// What such a variable leads to is read, or it is handed on.
+// Notes a read through a local pointer variable, or a copy of it.
 void Collector::read_view(Expr const *value) {
   if (!value->isGLValue()) return;
   value = value->IgnoreParens();

@@ -7,7 +7,7 @@
 namespace symreal::rewrite {
 namespace {
 
-// All that get what `function` is given, itself among them.
+// All functions that receive the list of `function`, itself included.
 std::set<std::string> reached_from(Facts const &facts, std::string const &function) {
   std::set<std::string> reached;
   std::vector<std::string> pending = {function};

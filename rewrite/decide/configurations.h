@@ -1,5 +1,5 @@
-// A header that several sources include is rewritten once, so they must agree about it. They need not compile the same
-// parts: what counts is what two of them compile and would rewrite in different ways.
+// Check that sources agree about the headers they share: a header is rewritten once for all of them. They need not
+// compile the same parts: only parts that two of them compile and would rewrite in different ways conflict.
 #pragma once
 
 #include "rewrite/facts/facts.h"
@@ -11,9 +11,9 @@ namespace symreal::rewrite {
 
 class Configurations {
 public:
-  // What a source tells about the files that it includes.
+  // Adds a source's facts about the files that it includes.
   void add(std::string const &source, Facts const &facts);
-  // Adds what is contradictory: to the diagnostics, or, where a conversion can go by its context, to what is shared.
+  // Reports contradictions: as diagnostics, or, if a conversion can follow its context, as shared spans.
   void report(Facts &facts) const;
 
 private:
@@ -25,7 +25,7 @@ private:
   };
   struct View {
     std::string source;
-    std::map<std::size_t, std::string> types; // what stands there then
+    std::map<std::size_t, std::string> types; // replacement, by offset
     std::map<Key, std::string> wraps;
     std::map<std::size_t, ClassFact> members;
     std::vector<bool> reached;
@@ -36,7 +36,7 @@ private:
   void compare_wraps(std::string const &path, FileFact const &file, View const &one, View const &other);
   void contradiction(FileFact const &file, std::size_t offset, std::string message);
 
-  std::map<std::string, std::vector<View>> views_; // by real path; sources that see the same count once
+  std::map<std::string, std::vector<View>> views_; // by real path; sources with equal views count once
   std::set<Span> shared_;
   std::vector<Diagnostic> found_;
 };

@@ -57,14 +57,14 @@ void add_unaccounted(Facts const &facts, std::set<Span> const &pragmas, Ledger c
   }
 }
 
-// Is the expression one call of our macros, from the rewriting before? Then all that stands there has what it needs.
+// Whether the expression is one call of a Symreal macro, from an earlier rewriting: it needs no further wraps.
 bool is_rewritten(std::string const &text, Span const &span) {
   if (text.compare(span.begin, 5, "REAL_") != 0 && text.compare(span.begin, 8, "SYMREAL_") != 0) return false;
   std::size_t const at = text.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ_", span.begin);
   return at < span.end && text[at] == '(' && closing_parenthesis(text, at) + 1 == span.end;
 }
 
-// The same for what stands behind an opening brace or before a closing one.
+// Whether an earlier rewriting has inserted the wrap behind an opening brace or before a closing one.
 bool is_laid_out(std::string const &text, Wrap const &wrap) {
   if (wrap.use == Use::padding) {
     std::size_t const line = text.rfind('\n', wrap.span.begin);
@@ -74,7 +74,7 @@ bool is_laid_out(std::string const &text, Wrap const &wrap) {
   return text.substr(wrap.span.end, end - wrap.span.end).find("REAL_LAYOUT(") != text.npos;
 }
 
-// And for words that only symbolic mode has.
+// Whether an earlier rewriting has inserted the wrap's words for symbolic mode.
 bool is_inserted(std::string const &text, Wrap const &wrap) {
   std::string_view const whole = text;
   std::string const words = "REAL_ONLY(" + wrap.detail + ")";
@@ -86,7 +86,7 @@ bool is_inserted(std::string const &text, Wrap const &wrap) {
 void add_wraps(Facts const &facts, std::set<Span> const &pragmas, ByFile &rewordings, Result &result) {
   Wrap const *before = nullptr;
   for (Wrap const &wrap : facts.wraps) {
-    // The same words in a macro or header that two sources name differently.
+    // A repeated wrap of the same characters: its words may differ, as two sources may name a file differently.
     bool const again = before && before->span == wrap.span && before->use == wrap.use;
     if (again && wrap.use == Use::argument)
       result.diagnostics.push_back({DiagnosticId::instantiations_differ,
@@ -115,7 +115,7 @@ void add_wraps(Facts const &facts, std::set<Span> const &pragmas, ByFile &reword
 // A type in the words of the file, with the types in it that change.
 std::string type_text(Facts const &facts, Span const &span) {
   std::string const &file = facts.files.at(span.file).text;
-  std::string text; // becomes one line: what is inserted moves no others
+  std::string text; // becomes one line: insertions keep line numbers
   std::size_t at = span.begin;
   for (auto token = facts.types.lower_bound({{span.file, span.begin, 0}, ""}); token != facts.types.end(); ++token) {
     if (token->span.file != span.file || token->span.end > span.end) break;
@@ -126,8 +126,8 @@ std::string type_text(Facts const &facts, Span const &span) {
   return normalised(text + file.substr(at, span.end - at));
 }
 
-// On a line that is kept as it is, it is the user who says that the bytes are not those of a number, or that what
-// leaves the program is a variable that is kept as well.
+// Whether the user vouches for a line that is kept: its bytes do not belong to a number, or a variable that leaves the
+// program is kept as well.
 bool is_answered_for(Diagnostic const &diagnostic, Facts const &facts) {
   if (diagnostic.id != DiagnosticId::reinterpretation && diagnostic.id != DiagnosticId::boundary_call) return false;
   for (auto const &[path, file] : facts.files)
@@ -137,7 +137,7 @@ bool is_answered_for(Diagnostic const &diagnostic, Facts const &facts) {
   return false;
 }
 
-// Is it a pack of bases: `struct overloaded : Cases... {`?
+// Whether the base is a pack: `struct overloaded : Cases... {`.
 bool is_pack(Facts const &facts, Span const &base) {
   std::string const &text = facts.files.at(base.file).text;
   std::string const behind = normalised(text.substr(base.end, text.find('{', base.end) - base.end));
@@ -210,7 +210,7 @@ void add_dependence(Facts const &facts, Result &result) {
   result.comparisons = facts.comparisons.size();
 }
 
-// By file, the names in it that symbolic mode has others for: what the rewriter inserts may hold them as well.
+// Renamed names of symbolic mode, by file: inserted text may contain them as well.
 std::map<std::string, RenamedNames> renamed_names(Facts const &facts) {
   std::map<std::string, RenamedNames> names;
   for (Wrap const &wrap : facts.wraps)
@@ -221,7 +221,7 @@ std::map<std::string, RenamedNames> renamed_names(Facts const &facts) {
   return names;
 }
 
-// What a pragma with an error becomes is not known. Errors elsewhere leave the others' texts as they are.
+// Whether a pragma has an error, so that its text is unknown. Other errors leave the texts of other places valid.
 bool has_pragma_error(Result const &result) {
   return std::any_of(result.diagnostics.begin(), result.diagnostics.end(), [](Diagnostic const &one) {
     bool const is_of_pragma = one.id >= DiagnosticId::pragma_syntax && one.id <= DiagnosticId::pragma_outside_roots;
@@ -231,7 +231,7 @@ bool has_pragma_error(Result const &result) {
   });
 }
 
-// What is said of a source because its text changes: the original compiles as it is.
+// Whether the diagnostic concerns rewriting only: the original compiles as it is.
 bool is_about_rewriting(Diagnostic const &diagnostic) {
   switch (diagnostic.id) {
   case DiagnosticId::boundary_function:
@@ -269,7 +269,7 @@ void refuse_clauses_of_text(Facts const &facts, Result &result) {
                                   "'external' is about rewritten text, and --via-ir records instructions"});
 }
 
-// The original with its annotations, and what it says of its kernels.
+// Result for the original with its annotations: texts and kernels.
 Result annotated(Facts const &facts, Result result) {
   std::erase_if(result.diagnostics, is_about_rewriting);
   collect_kernels(facts, result);

@@ -1,4 +1,4 @@
-// From facts to what is done about them: the text of each file, the kernels, the diagnostics. Knows no Clang.
+// Decision stage: turns facts into the text of each file, the kernels and the diagnostics. Independent of Clang.
 #pragma once
 
 #include "rewrite/edit/compose.h"
@@ -9,11 +9,11 @@ namespace symreal::rewrite {
 
 Result decide(Facts facts, Request const &request);
 
-// What makes selects of decisions, where nothing refuses it (decide_selects.cpp).
+// Adds the rewordings that turn decisions into selects, where no refusal stands against it (decide_selects.cpp).
 void add_selects(Facts &facts, std::map<std::string, std::vector<Rewording>> &rewordings, Result &result);
 
-// What becomes of every type that the files spell. A type that none of the facts accounts for is an internal error
-// (ledger.cpp).
+// Ledger of all types that the files spell, with the fate of each. A type that no fact accounts for is an internal
+// error (ledger.cpp).
 class Ledger {
 public:
   explicit Ledger(Facts const &facts);
@@ -21,7 +21,7 @@ public:
   bool is_kept(Span const &span) const { return meets(kept_, span); }
   // Kept, or part of a `long double`.
   bool stays_in_text(Span const &span) const { return meets(kept_, span) || long_.count(span) != 0; }
-  // The entries of a file, which must agree with what was done to it.
+  // Entries of a file, which must agree with its edits.
   std::vector<Spelling> entries(std::string const &path, std::vector<Edit> const &edits) const;
 
 private:
@@ -33,7 +33,7 @@ private:
   std::set<Span> pragmas_, kept_, long_;
 };
 
-// The kernels that the pragmas ask for, and what is wrong with them (kernels.cpp).
+// Collects the kernels that the pragmas ask for, and their errors (kernels.cpp).
 void collect_kernels(Facts const &facts, Result &result);
 
 } // namespace symreal::rewrite

@@ -34,7 +34,7 @@ void check_item(ClauseFact const &clause, ItemFact const &item, Result &result) 
   if (item.base_kind == Base::const_object) return wrong("is const: the compiler may have used its value already");
 }
 
-// Is this member named by an item of its own?
+// Whether an item of its own names this member.
 bool is_named(PragmaFact const &pragma, std::string const &member) {
   for (ClauseFact const &clause : pragma.clauses)
     for (ItemFact const &item : clause.items) {

@@ -58,7 +58,7 @@ Ledger::Ledger(Facts const &facts) : facts_(facts) {
 TypeToken const *Ledger::known(Span const &span) const {
   auto const found = facts_.types.lower_bound({span, ""});
   if (found == facts_.types.end() || found->span != span) return nullptr;
-  // The same token may stay in one place and be converted in another, where a macro spells it for both.
+  // A macro's token may stay in one expansion and be converted in another.
   auto const next = std::next(found);
   bool const both = found->replacement.empty() && next != facts_.types.end() && next->span == span;
   return both && !next->replacement.empty() ? &*next : &*found;

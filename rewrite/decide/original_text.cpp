@@ -53,7 +53,7 @@ std::string clause_text(ClauseFact const &clause) {
     return fmt::format("symreal_original_differentiate({}); ",
                        place_arguments(name_of(clause.clause) + "(" + clause.argument + ")", clause.place));
   std::string text;
-  if (info(clause.clause).has(trait::OBJECTS)) // tables and what becomes of decisions are the text's matter
+  if (info(clause.clause).has(trait::OBJECTS)) // tables and fates of decisions concern the symbolic program only
     for (ItemFact const &item : clause.items)
       if (!item.is_return) text += annotation(clause.clause, item);
   return text;

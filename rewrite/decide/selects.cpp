@@ -29,7 +29,7 @@ bool is_made(std::map<Span, DecisionFact> const &decisions, DecisionFact const &
   return needed != decisions.end() && is_made(decisions, needed->second);
 }
 
-// What a macro quotes is data.
+// Refuses selects in an argument that a macro stringifies or pastes: its text is data.
 void refuse_quoted(Facts const &facts, DecisionFact &fact) {
   for (Alteration const &one : fact.alterations) {
     if (!meets(facts.quoted, one.span)) continue;
@@ -39,7 +39,7 @@ void refuse_quoted(Facts const &facts, DecisionFact &fact) {
   }
 }
 
-// Only where there is a decision on REALs its macro's other uses matter.
+// Other uses of the macro matter only to a decision on REALs.
 void refuse_misuses(DecisionFact &fact) {
   if (fact.alterations.empty() && fact.refusals.empty()) return;
   fact.refusals.insert(fact.refusals.end(), fact.misuses.begin(), fact.misuses.end());

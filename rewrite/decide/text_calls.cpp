@@ -13,7 +13,7 @@ bool holds(Span const &outer, Span const &inner) {
   return outer.file == inner.file && outer.begin <= inner.begin && inner.end <= outer.end;
 }
 
-// The outermost calls, and none that pastes what it is given, or with a directive within.
+// The outermost calls, without those that paste an argument or contain a directive.
 std::vector<Span> calls_to_copy(Facts const &facts) {
   std::vector<Span> calls;
   for (Span const &call : facts.text_calls) { // of those that begin at the same place the longest is last

@@ -7,18 +7,18 @@
 namespace symreal::rewrite {
 namespace {
 
-// What happens at one character of the original.
+// Edits at one character of the original.
 struct Here {
   std::string before; // goes in front of it
   std::string after;  // goes behind it
   bool replaced = false;
-  std::size_t length = 1; // of what is replaced
+  std::size_t length = 1; // of the replaced text
   std::string replacement;
 };
 
 bool is_of_a_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
 
-// New text makes no word with what stands beside it: `{` of a function may be followed by a name at once.
+// Separates new text from adjacent words: a name may follow the `{` of a function directly.
 void keep_words_apart(std::string const &original, std::vector<Edit> &edits) {
   for (std::size_t k = 0; k < edits.size(); ++k) {
     std::size_t const begin = edits[k].offset, end = begin + edits[k].length;

@@ -1,5 +1,5 @@
-// From rewordings to edits: replacements and nested wraps on the same file become a sorted list of edits that do not
-// overlap, each on at least one original character.
+// Composition of rewordings into edits: replacements and nested wraps on the same file become a sorted list of disjoint
+// edits, each on at least one original character.
 #pragma once
 
 #include "rewrite/facts/result.h"
@@ -9,14 +9,14 @@
 
 namespace symreal::rewrite {
 
-// Characters [begin, end) become before + (replacement, or what stands there) + after.
+// Characters [begin, end) become before + (replacement, or the original) + after.
 struct Rewording {
   std::size_t begin;
   std::size_t end;
   std::string before;
   std::string after;
   bool replaces = false; // `before` is all there will be
-  int depth = 0;         // of several on the same characters the one of least depth is outermost
+  int depth = 0;         // among several on the same characters, the least depth is outermost
   auto operator<=>(Rewording const &) const = default;
 };
 

@@ -1,7 +1,7 @@
-// Plain structs as bytes and back: one function, `visit`, says what a struct consists of, for both directions.
+// Serialisation of plain structs: one function, `visit`, lists a struct's members for both directions.
 //
-// A number takes as many bytes as it needs, seven bits in each. A string that was written before is a number: facts are
-// full of the paths of a few files.
+// A number takes as many bytes as it needs, seven bits in each. A string that was written before is a number: facts
+// repeat the paths of a few files.
 #pragma once
 
 #include <algorithm>
@@ -61,12 +61,12 @@ public:
     known_.push_back(text);
     return std::string(text);
   }
-  // Of something whose elements take a byte at least.
+  // Number of elements of a sequence, each of which takes a byte at least.
   std::size_t size() {
     std::uint64_t const count = number();
     return count > rest_.size() ? fail() : count;
   }
-  // Was all of it there, and is nothing left?
+  // Whether all bytes were there, and none are left.
   bool is_complete() const { return good_ && rest_.empty(); }
 
 private:
@@ -80,9 +80,9 @@ private:
   bool good_ = true;
 };
 
-// What a struct consists of is said by `visit(take, object)`, found by its type, which calls take(member...) in an
-// order of its own, the same in both directions. It names all members with `auto &[...]`, so that one that is added
-// does not compile until it is told of there.
+// Members of a struct are listed by `visit(take, object)`, found by its type, which calls take(member...) in an order
+// of its own, the same in both directions. It names all members with `auto &[...]`, so that a new member does not
+// compile until it is listed.
 
 class Write {
 public:
@@ -108,7 +108,7 @@ private:
   template <class K, class V> void value(std::map<K, V> &all) { elements(all); }
   void value(std::vector<bool> &bits) {
     bytes_.number(bits.size());
-    for (std::size_t at = 0, run; at < bits.size(); at += run) { // how many are the same: tokens are long
+    for (std::size_t at = 0, run; at < bits.size(); at += run) { // run length: tokens are long
       run = 1;
       while (at + run < bits.size() && bits[at + run] == bits[at]) ++run;
       bytes_.number(2 * run + bits[at]);

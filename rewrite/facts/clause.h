@@ -31,7 +31,7 @@ std::span<ClauseInfo const> clause_table();
 ClauseInfo const &info(Clause clause);
 std::string name_of(Clause clause);
 std::optional<Clause> find_clause(std::string_view name);
-// By the clause's own name or its key in the configuration, if it has one.
+// The clause with this name or configuration key.
 std::optional<Clause> find_configured_clause(std::string_view key);
 
 } // namespace symreal::rewrite

@@ -11,10 +11,10 @@ namespace symreal::rewrite {
 
 std::string to_bytes(Facts facts);
 
-// Nothing where the bytes are not those of facts, as far as that can be seen.
+// Nullopt if the bytes are not those of facts, as far as that can be detected.
 std::optional<Facts> facts_of_bytes(std::string_view bytes);
 
-// The same for what a configured kernel is made of: one way only, to tell two of them apart.
+// Serialises a configured kernel, only for comparing two of them.
 std::string to_bytes(ConfiguredKernel kernel);
 std::string to_bytes(ConfiguredExternal external);
 

@@ -86,7 +86,7 @@ private:
   Json json_ = Json::object();
 };
 
-// The library's own errors say what is wrong and where (json.exception.*).
+// Errors of the library carry their reason and place (json.exception.*).
 class ReadText {
 public:
   explicit ReadText(Json const &json) : json_(json) {}

@@ -1,7 +1,7 @@
-// What the structs of facts consist of, for all forms in which they are written and read.
+// Members of the structs of facts, listed once for all forms in which they are written and read.
 //
 // `visit(take, object)` calls take.members(names, member...), the same for each direction. It names all members with
-// `auto &[...]`, so that one that is added does not compile until it is told of here.
+// `auto &[...]`, so that a new member does not compile until it is listed here.
 #pragma once
 
 #include "rewrite/facts/facts.h"

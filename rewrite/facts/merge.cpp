@@ -59,8 +59,7 @@ void merge_file(FileFact &file, FileFact &&other, Facts &facts) {
     add_diagnostic(facts, {DiagnosticId::changed_file, {file.display_path}, "this file changed while it was read"});
 }
 
-// A file that the other source names otherwise goes by the name that is known, so that what is wrong in it is said
-// once.
+// Renames a file that two sources name differently to the known name, so that its errors are reported once.
 void use_known_names(std::vector<Diagnostic> &diagnostics, std::map<std::string, FileFact> const &files,
                      std::map<std::string, FileFact> const &known) {
   std::map<std::string, std::string> names;

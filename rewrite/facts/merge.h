@@ -5,11 +5,11 @@
 
 namespace symreal::rewrite {
 
-// Adds what another source tells. The order of the sources decides only what is said of a thing that several describe.
+// Adds the facts of another source. The order of the sources matters only for facts about the same thing.
 void merge(Facts &facts, Facts &&other);
 void merge(Choices &choices, Choices &&others);
 
-// Do both tell of the same bases and fields? They may still know differently what these hold.
+// Whether both list the same bases and fields. Their knowledge of these may differ.
 bool same_members(ClassFact const &one, ClassFact const &other);
 
 // A header that several sources include says the same each time.

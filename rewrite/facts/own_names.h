@@ -1,12 +1,12 @@
-// How the facts say that the program has a name of its own that the C library has too. A function or variable that
-// other sources know is renamed in all of them if one defines it; else it is the library's.
+// Encoding of a name in the facts that both the program and the C library define. A function or variable with external
+// linkage is renamed in all sources if one defines it; else it is the library's.
 #pragma once
 
 #include "rewrite/facts/facts.h"
 
 namespace symreal::rewrite {
 
-// Among Facts::definitions; with a file, of what no other source knows.
+// Entry of Facts::definitions; with a file, for a name of internal linkage.
 inline std::string definition_of(std::string const &name, std::string const &file = {}) {
   return "own name " + name + " " + file;
 }

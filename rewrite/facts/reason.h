@@ -1,4 +1,4 @@
-// What is in the way of a select: the table in reasons.def.
+// Reasons against a select: the table in reasons.def.
 #pragma once
 
 #include "engine/diagnostics/diagnostic.h"
@@ -16,15 +16,15 @@ enum class ReasonId {
 
 struct Reason {
   ReasonId id = {};
-  std::string subject = {};         // what it is about
+  std::string subject = {};         // its operand, such as a name
   std::vector<Reason> because = {}; // at most one: the reason behind it, and
-  Place place = {};                 // where that stands
+  Place place = {};                 // place of that
   bool operator==(Reason const &other) const { return id == other.id && subject == other.subject; }
 };
 
 // "a call of 'f', which has 'goto' (m.c:3:5)"
 std::string words(Reason const &reason);
-// The same for all reasons of its kind: "a call of '...', which has 'goto'", however many calls deep it is.
+// Text shared by all reasons of the kind: "a call of '...', which has 'goto'", however many calls deep it is.
 std::string kind(Reason const &reason);
 
 } // namespace symreal::rewrite

@@ -1,4 +1,4 @@
-// What the rewriter gives: the rewritten files, and what it learned about the program that they make.
+// Result of the rewriter: the rewritten files, and facts about the program that they make.
 #pragma once
 
 #include "rewrite/facts/reason.h"
@@ -12,8 +12,8 @@
 
 namespace symreal::rewrite {
 
-// A replacement on the original bytes of a file. Its length is never zero: an insertion takes the neighbouring
-// character with it, so that an edit says where it belongs even when two sources ask for it.
+// A replacement on the original bytes of a file. Its length is never zero: an insertion includes the neighbouring
+// character, so that its place is unambiguous even when two sources ask for it.
 struct Edit {
   std::size_t offset;
   std::size_t length;
@@ -21,10 +21,10 @@ struct Edit {
   auto operator<=>(Edit const &) const = default;
 };
 
-// What becomes of a `double` that a file spells.
+// Fate of a `double` that a file spells.
 enum class Fate {
   converted, // to REAL
-  follows,   // converted as its neighbours are: the syntax tree does not say what it is part of
+  follows,   // converted like its neighbours: the syntax tree does not show it
   passive,   // compiled, and stays
   diagnosed, // compiled, and an error says why it cannot be converted
   inactive,  // not compiled in this configuration
@@ -42,18 +42,18 @@ struct Spelling {
 // A file within the roots that at least one source includes, changed or not.
 struct File {
   std::string path;         // real path
-  std::string display_path; // as the user or the including file named it
+  std::string display_path; // spelled by the user or the including file
   std::string original;
   std::string text; // the original with its edits; it has as many lines as the original
   std::vector<Edit> edits;
   std::vector<Spelling> ledger = {};
-  std::string compiled_name = {};     // as __FILE__ has it
-  std::vector<Edit> annotations = {}; // those that leave the original with its annotations alone; may be none
+  std::string compiled_name = {};     // as in __FILE__
+  std::vector<Edit> annotations = {}; // edits that only add annotations to the original; may be empty
 };
 
-// Where the numbers of a structure lie, as <symreal/object_layout.h> reads it.
+// Layout of a structure's numbers, in the notation of <symreal/object_layout.h>.
 struct ObjectLayout {
-  std::string text;                    // empty: the object's type tells
+  std::string text;                    // empty: the object's type determines it
   std::vector<std::string> containers; // the types that the text refers to by number
 };
 
@@ -66,7 +66,7 @@ struct Annotation {
   ObjectLayout layout = {};
 };
 
-// What `generate`, or a function with a pragma, asks for.
+// A kernel requested by `generate` or by a function pragma.
 struct Kernel {
   std::string name;
   bool is_function = false;
@@ -78,14 +78,14 @@ struct Kernel {
   std::string source; // display path of the file that holds the pragma
 };
 
-// A function that carries REAL and is declared within the roots, that the sources use and none of them defines. What a
-// compiled library would supply under its name works on double: linking it would mix the two silently.
+// A function that carries REAL and is declared within the roots, that the sources use and none of them defines. A
+// compiled library's definition works on double: linking it would mix the two silently.
 struct Boundary {
   std::string name;    // qualified
   std::string mangled; // as in the numeric program
   std::size_t parameters = 0;
   Place place; // of the declaration
-  Place use;   // where it is called
+  Place use;   // of its call
 };
 
 // A declaration or assignment that gives a number its name in the source.
@@ -94,23 +94,23 @@ struct NamedStatement {
   std::string name;
 };
 
-// Where the program may decide on a value, in the source's words.
+// A value that the program may decide on, in the source's words.
 struct DecidingText {
-  Place keyword;         // `if`, `while`, `?`, ...: where a decision on the whole of it stands; none: it is an operand
+  Place keyword;         // `if`, `while`, `?`, ... that decides on all of it; unset for an operand
   Place begin, end;      // of its first and last token
-  std::string text;      // on one line, cut off with "..." where it gets long
-  std::string type = {}; // of a conversion: what to
+  std::string text;      // on one line, truncated with "..."
+  std::string type = {}; // target of a conversion
 };
 
 // An `if`, a `?:` or a loop on a condition of REALs that cannot become a select.
 struct Refusal {
-  Place condition;        // where the condition begins
+  Place condition;        // begin of the condition
   unsigned last_line = 0; // of the condition
   Reason reason;          // "because of ..."
-  Place token;            // what is in the way
+  Place token;            // the construct that prevents a select
 };
 
-// A decision on REALs: whether both of its arms can be recorded, and if not, what is in the way.
+// A decision on REALs: whether both of its arms can be recorded, and if not, the reason.
 struct Decision {
   Place place;
   std::string kind; // if, ?:, for, while, do
@@ -128,12 +128,12 @@ struct Conversion {
 
 struct Result {
   std::vector<File> files;                 // sorted by path; empty when a source does not compile
-  std::string type_name = usual_type_name; // how they spell the number
+  std::string type_name = usual_type_name; // the sources' spelling of the number
   std::vector<Kernel> kernels;
   std::vector<std::string> include_dirs; // header search directories of the sources, in order, once each
-  std::vector<std::string> read;         // real paths of all files that were read, those of the system left out
+  std::vector<std::string> read;         // real paths of all files that were read, without the system's
   std::vector<Boundary> boundaries;      // each also has its diagnostic
-  std::vector<std::string> definitions;  // mangled names of the functions that carry REAL and that others can use
+  std::vector<std::string> definitions;  // mangled names of exported functions that carry REAL
   std::vector<NamedStatement> names;     // by file, line and column
   std::vector<DecidingText> deciding;
   std::vector<Refusal> refusals;   // in the order of their places
@@ -143,10 +143,10 @@ struct Result {
   std::vector<std::string> externals;            // mangled names of functions that stay calls
   std::size_t comparisons = 0;                   // of REALs
   std::vector<std::string> left_out;             // sources that do not compile, if the request allows it
-  std::vector<Compilation> unreached;            // sources in which the program reaches nothing
+  std::vector<Compilation> unreached;            // sources that the program does not reach
   std::size_t sources_read = 0;                  // by Clang
-  std::size_t sources_kept = 0;                  // of which an earlier run has read what they are now
-  std::map<std::string, double> reading_seconds; // of the processor, by the real path of a source that was read
+  std::size_t sources_kept = 0;                  // unchanged since an earlier run read them
+  std::map<std::string, double> reading_seconds; // processor time, by the real path of a source that was read
   std::vector<Diagnostic> diagnostics;
 };
 

@@ -15,7 +15,7 @@ constexpr std::array table = {
 #undef USE
 };
 
-// What nests must.
+// Constraints on the order of the rows, which determines how uses nest.
 constexpr bool stands_before(Use outer, Use inner) { return outer < inner; }
 static_assert(stands_before(Use::as_width, Use::width));
 static_assert(stands_before(Use::compound, Use::compound_list));

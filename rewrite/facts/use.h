@@ -1,4 +1,4 @@
-// Why an expression of the sources is wrapped: the table in uses.def.
+// Uses for which expressions of the sources are wrapped: the table in uses.def.
 #pragma once
 
 #include <optional>

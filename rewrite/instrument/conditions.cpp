@@ -15,10 +15,10 @@ namespace {
 Value *zero(IRBuilder<> &at) { return llvm::ConstantFP::get(at.getDoubleTy(), 0.0); }
 Value *one(IRBuilder<> &at) { return llvm::ConstantFP::get(at.getDoubleTy(), 1.0); }
 Instruction *next(IRBuilder<> &at) { return &*at.GetInsertPoint(); }
-// Of a number that is no node.
+// Truth of a plain condition, which holds 0 or 1.
 Value *holds(IRBuilder<> &at, Value *condition) { return at.CreateFCmpUNE(condition, zero(at)); }
 
-// The comparison that holds exactly where this one does, or exactly where it does not; none for those of two parts.
+// The comparison equivalent to this predicate or to its negation; none for predicates of two parts.
 Op operator_of(CmpInst::Predicate predicate) {
   switch (predicate) {
   case CmpInst::FCMP_OLT:
@@ -92,7 +92,7 @@ Value *Conditions::of(Value *truth) {
   return known_[truth] = condition;
 }
 
-// Of and, or, xor, and selects between truth values, where at least one of them comes from a comparison.
+// Condition of an and, or, xor, or select of truth values, at least one of them from a comparison.
 Value *Conditions::condition_of(Instruction &logic) {
   using namespace llvm::PatternMatch;
   Value *x = nullptr, *y = nullptr;
@@ -117,7 +117,7 @@ void Conditions::settle() {
       llvm::RecursivelyDeleteTriviallyDeadInstructions(instruction);
   for (auto const &[made, condition] : made_) {
     auto *truth = llvm::cast_or_null<Instruction>(static_cast<Value *>(made));
-    if (!truth) continue; // nothing but selects asked for it
+    if (!truth) continue; // only selects used it
     if (!truth->use_empty()) {
       Value *of = condition;
       truth->replaceAllUsesWith(either(

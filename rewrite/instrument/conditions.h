@@ -1,5 +1,5 @@
-// Conditions: truth values that come from comparisons of doubles. A select between doubles keeps its condition;
-// whatever else asks for the truth of a comparison decides.
+// Conditions: truth values that come from comparisons of doubles. A select between doubles keeps its condition; any
+// other use of a comparison's truth decides.
 #pragma once
 
 #include "rewrite/instrument/node_code.h"
@@ -16,13 +16,13 @@ public:
   explicit Conditions(Recorder const &recorder) : recorder_(recorder) {}
 
   void add(llvm::FCmpInst &comparison); // of doubles
-  // A condition that something else computes, in place of this i1.
+  // Adds a condition that something else computes, in place of this i1.
   void add(llvm::Instruction &truth, llvm::Value *condition) {
     made_.emplace_back(&truth, condition), known_[&truth] = condition;
   }
-  // As a double: a node, 0 or 1. Nothing where the i1 comes from no comparison.
+  // The condition as a double: a node, 0 or 1. Null if the i1 does not come from a comparison.
   llvm::Value *of(llvm::Value *truth);
-  // What is still asked for as an i1 decides.
+  // Turns the remaining uses as an i1 into decisions.
   void settle();
 
 private:

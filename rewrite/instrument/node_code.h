@@ -1,5 +1,5 @@
-// Code that tells nodes of a recording from ordinary numbers, as RealNumber does (symreal/real_number.h), and calls the
-// recorder for nodes only.
+// Generator of code that distinguishes nodes of a recording from ordinary numbers, as RealNumber does
+// (symreal/real_number.h), and calls the recorder for nodes only.
 #pragma once
 
 #include <llvm/IR/IRBuilder.h>
@@ -32,12 +32,12 @@ llvm::Value *is_node(llvm::IRBuilder<> &at, llvm::Value *number);
 inline bool is_number(llvm::Value const *value) { return value->getType()->isDoubleTy(); }
 
 using Make = std::function<llvm::Value *(llvm::IRBuilder<> &)>;
-// Before the instruction: `if_node` where one of the numbers is a node, else `otherwise`, of one type.
+// Inserts before the instruction: `if_node` if one of the numbers is a node, else `otherwise`, of one type.
 llvm::Value *either(llvm::Instruction *before, llvm::ArrayRef<llvm::Value *> numbers, Make const &if_node,
                     Make const &otherwise);
-// The same of a value that is computed from numbers: where one of them is a node, `if_node` takes its place.
+// Replaces a value computed from numbers by `if_node` if one of them is a node.
 void record_in_place(llvm::Instruction &computed, llvm::ArrayRef<llvm::Value *> numbers, Make const &if_node);
-// The operand becomes what the recorder makes of it where it is a node, an ordinary number.
+// Replaces an operand that is a node by an ordinary number from the recorder.
 using Carried = llvm::Value *(Recorder::*)(llvm::IRBuilder<> &, llvm::Value *) const;
 void hand_over(llvm::Instruction &user, unsigned operand, Recorder const &recorder, Carried carried);
 

@@ -6,7 +6,7 @@ namespace symreal::oracle {
 
 namespace {
 
-// Only what is spelled as a call: operators are instructions.
+// Operations spelled as calls; operators are instructions.
 llvm::StringMap<Operation> make_functions() {
   enum Form { infix, prefix, call, cast, select, local, external };
   llvm::StringMap<Operation> functions;

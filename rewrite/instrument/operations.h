@@ -1,4 +1,4 @@
-// Which operation of the table a function of the C library or an intrinsic of LLVM is.
+// Operations of the table for functions of the C library and intrinsics of LLVM.
 #pragma once
 
 #include <llvm/ADT/StringRef.h>
@@ -13,9 +13,9 @@ struct Operation {
   unsigned arity;
 };
 
-// By the name of a function of the C library, such as "sin".
+// Operation of a C library function, such as "sin".
 std::optional<Operation> operation_of_function(llvm::StringRef name);
-// By that of an intrinsic on doubles, such as "llvm.fabs.f64".
+// Operation of an intrinsic on doubles, such as "llvm.fabs.f64".
 std::optional<Operation> operation_of_intrinsic(llvm::StringRef name);
 
 } // namespace symreal::oracle

@@ -60,14 +60,14 @@ private:
     hand_over(cast, 0, recorder_, is_conversion ? &Recorder::integer : &Recorder::number);
   }
 
-  // Bits that are only moved are no matter.
+  // Whether the bits are examined rather than only moved.
   static bool looks_at_bits(llvm::CastInst const &cast) {
     return llvm::any_of(cast.users(), [](llvm::User const *user) {
       return llvm::isa<llvm::BinaryOperator, llvm::ICmpInst, llvm::TruncInst>(user);
     });
   }
 
-  // Of doubles by a comparison of doubles; 1 or 0 by one.
+  // Records a select of doubles by a comparison, or a conversion of its truth to 1 or 0.
   void record_select(Instruction &one) {
     if (!is_number(&one)) return;
     Value *condition = conditions_.of(one.getOperand(0));
@@ -91,7 +91,7 @@ private:
 } // namespace
 
 void record_function(llvm::Function &function, Recorder const &recorder, llvm::TargetLibraryInfo const &library) {
-  // What was inferred of it no longer holds: it records.
+  // Attributes inferred before instrumentation no longer hold: the function records.
   function.setMemoryEffects(llvm::MemoryEffects::unknown());
   function.removeFnAttr(llvm::Attribute::Speculatable);
   FunctionRecorder(recorder, library).record(function);

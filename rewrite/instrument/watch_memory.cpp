@@ -19,7 +19,7 @@ using llvm::Value;
 
 namespace {
 
-// "file:line:column", as the rewriter writes places; a function that was inlined tells its own.
+// "file:line:column", as the rewriter writes places; an inlined function keeps its own.
 std::string place_of(Instruction const &one) {
   llvm::DILocation const *at = one.getDebugLoc();
   if (at == nullptr) return "";
@@ -39,7 +39,7 @@ public:
 private:
   void watch(Instruction &one) {
     if (auto *load = llvm::dyn_cast<llvm::LoadInst>(&one)) {
-      // A pointer that is read leads somewhere, and what is read there is told.
+      // A load of a pointer needs no report: reads through it are reported.
       if (!load->getType()->isPtrOrPtrVectorTy())
         tell("symreal_reads", one, load->getPointerOperand(), load->getType());
     } else if (auto *store = llvm::dyn_cast<llvm::StoreInst>(&one)) {

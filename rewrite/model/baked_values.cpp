@@ -27,13 +27,13 @@ bool is_function_pointer(QualType type) {
          is_standard(type->getAsCXXRecordDecl(), "function");
 }
 
-// A container whose elements are found by their numbers. That of a map makes an element.
+// Element type of a container indexed by number; null for maps, whose operator[] creates elements.
 QualType element_in(CXXRecordDecl const *record) {
   if (is_standard(record, "map") || is_standard(record, "unordered_map")) return {};
   return record && record->hasDefinition() ? element_of(record->getDefinition()) : QualType();
 }
 
-// A container of containers of numbers, or a matrix, whose extents the number of its elements does not tell.
+// Whether the record is a container of containers of numbers, or a matrix, whose extents its size does not determine.
 bool has_inner_extents(CXXRecordDecl const *record) {
   QualType const element = element_in(record);
   if (element.isNull()) return false;
@@ -50,20 +50,20 @@ bool has_inner_extents(CXXRecordDecl const *record) {
   return inner != nullptr;
 }
 
-// An object of the standard library that holds something or not, and of which no more is known.
+// Whether the record is a standard library type whose state is unknown beyond whether it holds something.
 bool is_opaque(CXXRecordDecl const *record) {
   constexpr llvm::StringLiteral names[] = {"optional", "variant", "any",  "map",        "unordered_map",
                                            "multimap", "set",     "list", "shared_ptr", "unique_ptr"};
   return llvm::any_of(names, [record](llvm::StringRef name) { return is_standard(record, name); });
 }
 
-// Constant numbers, of which the pointer itself says nothing in another program.
+// Whether the type is a pointer to constant numbers, whose address means nothing in another program.
 bool leads_to_constants(QualType type) {
   QualType const to = type->getPointeeType();
   return !to.isNull() && to.isConstQualified() && to->isArithmeticType() && !to->isAnyCharacterType();
 }
 
-// An object of a class that is not rewritten, of which nothing is known.
+// Whether the record is a class that is not rewritten, with unknown contents.
 bool is_value_of_library(CXXRecordDecl const *record, ASTContext const &context) {
   SourceManager const &sources = context.getSourceManager();
   if (!record->hasDefinition() || !sources.isInSystemHeader(sources.getExpansionLoc(record->getLocation())))
@@ -76,7 +76,7 @@ bool is_text(QualType type) {
   return !to.isNull() && to.isConstQualified() && to->isCharType();
 }
 
-// Why nothing compares a parameter that no clause names; empty where something does, or need not.
+// Reason why a parameter that no clause names cannot be compared; empty if it can be, or need not.
 std::string obstacle_of(QualType type, ASTContext const &context) {
   QualType const plain = type.getNonReferenceType();
   CXXRecordDecl const *record = plain->getAsCXXRecordDecl();
@@ -89,7 +89,7 @@ std::string obstacle_of(QualType type, ASTContext const &context) {
   return type->isDependentType() && !type->isReferenceType() ? "its type depends on the template" : "";
 }
 
-// What the kernel's function, and the functions that it calls, as far as this source has them, name.
+// Collects the names mentioned by the kernel's function and by its callees, as far as this source has them.
 class Mentioned : public Walk {
 public:
   explicit Mentioned(FunctionDecl const *function) : context_(function->getASTContext()), kernel_(function) {
@@ -177,7 +177,7 @@ public:
 
   bool has(FieldDecl const *field) const { return fields_.contains(field->getCanonicalDecl()); }
 
-  // Pointers that are parameters, and end what another one begins, or are told apart from it by how far they lie.
+  // Pointer parameters that end a range which another one begins, or that are compared with one by distance.
   std::set<ParmVarDecl const *> ends() const {
     std::set<ParmVarDecl const *> all = ends_;
     for (auto const &[one, other] : equal_)
@@ -187,7 +187,7 @@ public:
 
   std::set<FieldDecl const *> own_fields; // of the kernel's own object, in its own text
   std::set<VarDecl const *> called_variables;
-  std::set<std::string> virtual_on;  // what the kernel calls virtual functions on
+  std::set<std::string> virtual_on;  // objects with virtual calls by the kernel
   std::set<std::string> comparisons; // of pointers
   std::set<std::string> sized_by;    // parameters by whose extents it may go
 

@@ -1,4 +1,4 @@
-// Values that a recording bakes in, and where a wrapper finds them in another call.
+// Values that a recording bakes in, with their access paths for a wrapper of another call.
 //
 //   shape  := { "[" count "]" } what
 //   what   := "d"                          a floating-point number
@@ -33,8 +33,8 @@ struct BakedItem {
   bool is_constant = false; // else an input, a parameter or an output
 };
 
-// Arguments, what `constant` names, the members of annotated objects that are no numbers, and the classes of objects
-// whose virtual functions the kernel calls.
+// Arguments, items of `constant`, the non-numeric members of annotated objects, and the classes of objects whose
+// virtual functions the kernel calls.
 std::vector<Baked> baked_values(clang::FunctionDecl const *function, std::vector<BakedItem> const &items,
                                 Place const &place);
 

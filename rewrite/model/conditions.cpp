@@ -30,8 +30,8 @@ bool is_truth_value(Expr const *expression) {
   return unary && unary->getOpcode() == UO_LNot;
 }
 
-// May it be evaluated where the original would not have come to it? What goes through pointers and indices may only
-// where nothing but REALs would have kept the original from it.
+// Whether an expression may be evaluated where the original would not evaluate it. Accesses through pointers and
+// indices may be only if nothing but conditions on REALs guarded them.
 class Harmless : public Walk {
 public:
   Harmless(Reals const &reals, bool may_access) : reals_(reals), may_access_(may_access) {}
@@ -105,7 +105,7 @@ private:
   Reals const &reals_;
 };
 
-// isnan, isless and their like: true or false for a REAL.
+// Whether the call classifies a REAL: isnan, isless and similar functions.
 bool asks_of_real(CallExpr const *call, Reals const &reals) {
   FunctionDecl const *function = call->getDirectCallee();
   if (!function || call->getNumArgs() == 0 || (function->getBuiltinID() == 0 && !reals.is_math(function))) return false;

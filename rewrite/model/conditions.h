@@ -1,4 +1,4 @@
-// Conditions made of REALs: which can stay symbolic as a whole, so that a select can take them.
+// Analysis of conditions on REALs: which can stay symbolic as a whole, so that a select can take them.
 #pragma once
 
 #include "rewrite/facts/facts.h"
@@ -11,7 +11,7 @@
 
 namespace symreal::rewrite {
 
-// What is in the way of a select, at its token.
+// An obstacle to a select, at its token.
 struct Blocker {
   clang::SourceLocation location;
   Reason reason;
@@ -24,7 +24,7 @@ struct Condition {
   std::vector<Alteration> joints; // && and || become REAL_AND and REAL_OR, beside which plain ones need REAL_PLAIN
 };
 
-// A function of namespace std with one of these names.
+// Whether the function is one of these of namespace std.
 bool is_std_function(clang::FunctionDecl const *function, std::initializer_list<llvm::StringRef> names);
 
 class Conditions {
@@ -33,10 +33,10 @@ public:
 
   Condition classify(clang::Expr const *condition) const;
 
-  // Does a comparison of REALs stand anywhere in the expression, lambdas aside?
+  // Whether a comparison of REALs stands anywhere in the expression, lambdas aside.
   bool mentions_comparison(clang::Expr const *expression) const;
 
-  // Does any part of it become a REAL?
+  // Whether any part of the expression becomes a REAL.
   bool mentions_real(clang::Expr const *expression) const;
 
 private:

@@ -1,4 +1,4 @@
-// Walks the syntax tree within the roots and knows of each part what it stands in.
+// Walk of the syntax tree within the roots that tracks the context of each part.
 #pragma once
 
 #include "rewrite/model/library.h"
@@ -23,7 +23,7 @@ public:
     auto const *function = clang::dyn_cast<clang::FunctionDecl>(declaration);
     if (!function) return Walk::TraverseDecl(declaration);
     Within const dependent(in_template_, function->isDependentContext());
-    Within const allocates(no_state_, is_allocation(function)); // what it keeps is no state of a kernel
+    Within const allocates(no_state_, is_allocation(function)); // an allocator's own data is not a kernel's state
     clang::FunctionDecl const *const outer = std::exchange(function_, function);
     bool const more = Walk::TraverseDecl(declaration);
     function_ = outer;
@@ -38,13 +38,13 @@ public:
     return more;
   }
 
-  // A capture without an initializer is no expression that could be wrapped.
+  // A capture without an initializer has no expression that could be wrapped.
   bool TraverseLambdaCapture(clang::LambdaExpr *lambda, clang::LambdaCapture const *capture,
                              clang::Expr *initializer) override {
     return !lambda->isInitCapture(capture) || Walk::TraverseLambdaCapture(lambda, capture, initializer);
   }
 
-  // The constructors of a base: their name is no type, and the type before it is walked.
+  // A using-declaration of a base's constructors: their name does not spell a type, and the type before it is walked.
   bool TraverseUsingDecl(clang::UsingDecl *declaration) override {
     if (declaration->getDeclName().getNameKind() == clang::DeclarationName::CXXConstructorName)
       return this->TraverseNestedNameSpecifierLoc(declaration->getQualifierLoc());
@@ -56,7 +56,7 @@ public:
     return Walk::TraverseUnresolvedUsingValueDecl(declaration);
   }
 
-  // Where double stays double.
+  // Variables that stay double.
   bool TraverseVarDecl(clang::VarDecl *variable) override {
     Passive const why = variable->isConstexpr()       ? constant_variable
                         : reals_.is_passive(variable) ? static_member

@@ -18,7 +18,7 @@ VarDecl const *own_variable(Expr const *object) {
   return variable->getType()->isPointerType() && name != object->IgnoreParenImpCasts() ? nullptr : variable;
 }
 
-// *this, its members and their elements; not what a pointer or reference in it leads to.
+// Whether the object is *this, one of its members or their elements; not a target of a pointer or reference in it.
 bool is_of_this(Expr const *object) {
   object = object->IgnoreParenImpCasts();
   if (isa<CXXThisExpr>(object)) return true;
@@ -41,10 +41,10 @@ bool is_mathematical(FunctionDecl const *function, Reals const &reals) {
          Reals::is_math_name(function->getName());
 }
 
-// Which variables are used in another way than by their values?
+// Collects variables with other uses than of their values.
 class AddressUses : public EvaluatedWalk {
 public:
-  bool TraverseLambdaExpr(LambdaExpr *lambda) override { // what it captures may be by reference
+  bool TraverseLambdaExpr(LambdaExpr *lambda) override { // captures may be by reference
     return TraverseStmt(lambda->getBody());
   }
   bool VisitImplicitCastExpr(ImplicitCastExpr *cast) override {
@@ -72,7 +72,7 @@ private:
 
 } // namespace
 
-// Does a body change what is not its own?
+// Whether a body changes objects other than its own.
 class BodyEffects : public EvaluatedWalk {
 public:
   BodyEffects(EffectAnalysis &analysis, FunctionDecl const *function) : analysis_(analysis), function_(function) {}
@@ -184,7 +184,7 @@ public:
     return true;
   }
   bool VisitCXXConstructExpr(CXXConstructExpr *construction) override {
-    result.reads |= construction->getNumArgs() > 0; // what it copies
+    result.reads |= construction->getNumArgs() > 0; // its arguments are copied
     result.changes |= analysis_.reach(construction->getConstructor()) == EffectAnalysis::Reach::anything;
     return true;
   }

@@ -1,4 +1,4 @@
-// What evaluating an expression reads and changes, as far as it matters in which order two are evaluated.
+// Side effects of evaluating an expression, as far as they matter to the order of evaluation.
 #pragma once
 
 #include "rewrite/model/reals.h"
@@ -7,16 +7,16 @@
 namespace symreal::rewrite {
 
 struct Effects {
-  bool changes = false; // an object that others may know
+  bool changes = false; // an object known elsewhere
   bool reads = false;   // such an object
-  bool talks = false;   // to a library: it prints, or draws a number
+  bool talks = false;   // calls a library that prints or draws a random number
 };
 
 class EffectAnalysis {
 public:
   explicit EffectAnalysis(Reals const &reals) : reals_(reals) {}
 
-  // Of an operand in this function (null: in none).
+  // Effects of an operand in this function (null: outside of functions).
   Effects of(clang::Expr const *operand, clang::FunctionDecl const *function);
 
 private:
@@ -26,7 +26,7 @@ private:
   Reach reach(clang::FunctionDecl const *function);
   Reach reach_of_call(clang::CallExpr const *call);
   bool only_talks(clang::CallExpr const *call) const;
-  // The variables of a function whose address somebody may have.
+  // Variables of a function whose address may be known elsewhere.
   llvm::SmallPtrSet<clang::VarDecl const *, 8> const &known_elsewhere(clang::FunctionDecl const *function);
 
   Reals const &reals_;

@@ -39,7 +39,7 @@ bool Reals::integer_depends(Expr const *expression, llvm::function_ref<bool(Cast
   if (expression->isTypeDependent() || !is_integer(expression->getType())) return false;
   auto depends = [&](Expr const *part) { return integer_depends(part, cast_does); };
   if (auto const *cast = dyn_cast<CastExpr>(expression)) {
-    // In C++ an explicit conversion does nothing by itself: it has the conversion as its operand.
+    // An explicit conversion in C++ has no effect by itself: its operand is the conversion.
     auto const *conversion = dyn_cast<ImplicitCastExpr>(cast->getSubExpr());
     if (cast->getCastKind() != CK_NoOp || !conversion || !conversion->isPartOfExplicitCast()) conversion = nullptr;
     CastExpr const *does = conversion ? conversion : cast;

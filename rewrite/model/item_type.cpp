@@ -30,8 +30,8 @@ bool is_packed_member(ValueDecl const *member) {
                    field->getParent()->hasAttr<MaxFieldAlignmentAttr>());
 }
 
-// Of an array that is declared with at most one element, more may follow: the last member of a structure, a member of a
-// union, and a parameter in the way of Fortran's a(1).
+// Whether an array declared with at most one element may have more: the last member of a structure, a member of a
+// union, or a parameter in the way of Fortran's a(1).
 bool may_go_on(ValueDecl const *declaration, ConstantArrayType const *array) {
   if (array->getSize().getZExtValue() > 1) return false;
   if (isa<ParmVarDecl>(declaration)) return true;
@@ -42,7 +42,7 @@ bool may_go_on(ValueDecl const *declaration, ConstantArrayType const *array) {
   return is_last || field->getParent()->isUnion();
 }
 
-// The elements of a class of a library whose type says how many they are.
+// Number of elements of a library class whose type determines it.
 std::optional<std::int64_t> count_of_class(QualType type) {
   auto const *special = dyn_cast_or_null<ClassTemplateSpecializationDecl>(type->getAsCXXRecordDecl());
   if (!special || !special->getIdentifier()) return std::nullopt;
@@ -131,7 +131,7 @@ private:
     return {};
   }
 
-  // Those whose names the function's own scopes see.
+  // Scope with this name, visible from the function's own scopes or declared in `scope`.
   DeclContext const *inner_scope(DeclContext const *scope, std::string const &name) {
     DeclarationName const wanted = &context_.Idents.get(name);
     for (DeclContext const *here = scope ? scope : function_->getDeclContext(); here; here = here->getLookupParent()) {
@@ -155,7 +155,7 @@ private:
     is_packed_ = is_packed_member(declaration);
     declaration_ = declaration;
     QualType const type = object(declaration->getType());
-    auto const *decayed = type->getAs<DecayedType>(); // what a parameter points to is as much as it declares
+    auto const *decayed = type->getAs<DecayedType>(); // a parameter's declared extent bounds its target
     return decayed && decayed->getOriginalType()->isConstantArrayType() ? decayed->getOriginalType() : type;
   }
 
@@ -225,7 +225,7 @@ private:
   ASTContext const &context_;
   LookUp look_up_;
   bool is_packed_ = false;
-  ValueDecl const *declaration_ = nullptr; // of what was read last
+  ValueDecl const *declaration_ = nullptr; // of the last name
   std::vector<ItemIndex> indices_;
 };
 

@@ -24,19 +24,19 @@ struct ItemIndex {
 };
 
 struct ItemType {
-  clang::QualType type;                // of each element; null where it is not known
+  clang::QualType type;                // of each element; null if unknown
   bool is_packed = false;              // a member that may lie anywhere
   std::vector<ItemIndex> indices = {}; // from left to right
 };
 
-// Without a function, names of other scopes and `this` are not known.
+// Names of other scopes and `this` are unknown without a function.
 ItemType type_of_item(std::string const &expression, clang::ASTContext const &context,
                       clang::FunctionDecl const *function, LookUp look_up);
 
-// The value of an expression of integers, where it can be told from declarations alone.
+// The value of an expression of integers; nullopt if the declarations alone do not determine it.
 std::optional<std::int64_t> constant_of(std::string const &expression, LookUp look_up);
 
-// The same of an item that the compiler has looked at.
+// The type of an item that the compiler has parsed.
 ItemType type_of_item(clang::Expr const *expression);
 
 } // namespace symreal::rewrite

@@ -1,5 +1,5 @@
-// What is known of the functions and classes of libraries: the table in library.def. Names are without scopes; who asks
-// looks at the scope.
+// Traits of library functions and classes: the table in library.def. Names are without scopes; the caller checks the
+// scope.
 #pragma once
 
 #include "rewrite/source/clang.h"
@@ -24,12 +24,12 @@ enum Function : unsigned {
 enum Method : unsigned { READS_ITS_TEXT = 1, COMPARES_KEYS = 2, VIEWS = 4 };
 enum Class : unsigned { OWNS_ELEMENTS = 1, OWNS_SCALARS = 2, VIEW = 4, VALUE = 8, POINTER = 16, LENDS = 32, ANY = 63 };
 
-// Has the row of this name the trait? There may be no row.
+// Whether the row of this name, if any, has the trait.
 bool has(llvm::StringRef function, Function trait);
 bool has(llvm::StringRef method, Method trait);
 bool has(llvm::StringRef scope, llvm::StringRef class_name, Class trait);
 
-// What a function does with the floating-point environment; empty for any other function.
+// Effect of a function on the floating-point environment; empty for any other function.
 llvm::StringRef environment_effect(llvm::StringRef function);
 
 } // namespace symreal::rewrite::library

@@ -1,5 +1,5 @@
-// What the headers of the C library call their functions and variables (glibc's, with all that g++ makes them declare).
-// The program's own names are compared with these: symbolic mode includes more headers than the program does.
+// Names of the functions and variables of the C library's headers (glibc's, with all that g++ makes them declare). The
+// program's own names are compared with these: symbolic mode includes more headers than the program does.
 #include "rewrite/model/library_names.h"
 
 namespace symreal::rewrite {

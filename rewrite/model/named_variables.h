@@ -1,5 +1,5 @@
-// Which variables evaluating an expression changes and reads by their names, in the functions that it calls as well.
-// What is reached through pointers, and functions whose bodies are not seen, add nothing: what is told is certain.
+// Variables that an expression and its callees change and read by name. Accesses through pointers, and functions
+// without a visible body, add nothing: the set is a lower bound.
 #pragma once
 
 #include "rewrite/source/clang.h"
@@ -9,7 +9,7 @@ namespace symreal::rewrite {
 struct NamedVariables {
   llvm::SmallPtrSet<clang::VarDecl const *, 4> changed, read;
 
-  // Does evaluating one change what evaluating the other reads or changes?
+  // Whether evaluating one changes what evaluating the other reads or changes.
   bool meet(NamedVariables const &other) const;
 };
 

@@ -30,7 +30,7 @@ bool has_function(CXXRecordDecl const *record, llvm::StringRef name) {
   });
 }
 
-// What `object[i]` or `object(i, j)` refers to; null where it gives a copy, or has none.
+// Type that `object[i]` or `object(i, j)` refers to; null if the operator returns a copy or does not exist.
 QualType element_by(CXXRecordDecl const *record, OverloadedOperatorKind kind, unsigned parameters) {
   CXXMethodDecl const *method = find_method(record, [=](CXXMethodDecl const *one) {
     return one->getOverloadedOperator() == kind && one->getNumParams() == parameters &&
@@ -145,7 +145,7 @@ private:
     return true;
   }
 
-  // Those of bases, and of members without a name, count as the class's own.
+  // Members of bases and of unnamed members count as the class's own.
   void members(RecordDecl const *record, std::int64_t begin, std::string const &path, std::string &list) {
     ASTRecordLayout const &layout = context_.getASTRecordLayout(record);
     if (auto const *derived = dyn_cast<CXXRecordDecl>(record))
@@ -155,7 +155,7 @@ private:
           members(shared->getDefinition(), begin + layout.getBaseClassOffset(shared).getQuantity(), path, list);
       }
     for (FieldDecl const *field : record->fields()) {
-      if (field->isBitField()) continue; // no address, and not looked at where it is read either
+      if (field->isBitField()) continue; // no address, and its reads are not checked either
       std::int64_t const offset =
           begin + context_.toCharUnitsFromBits(static_cast<std::int64_t>(layout.getFieldOffset(field->getFieldIndex())))
                       .getQuantity();

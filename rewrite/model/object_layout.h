@@ -1,7 +1,7 @@
-// The places of the numbers and scalars of a structure, written down for the runtime.
+// Layout texts: the places of the numbers and scalars of a structure, written down for the runtime.
 //
-// A program in C, private members and packed ones can be reached by their offsets alone, so this is the one way into
-// structures for all programs that a kernel is built as: symbolic, replay and original lay them out alike (layouts.h).
+// Programs in C, private members and packed ones allow access by offset only, so this is the one way into structures
+// for all programs that a kernel is built as: symbolic, replay and original lay them out alike (layouts.h).
 #pragma once
 
 #include "rewrite/facts/facts.h"
@@ -11,17 +11,17 @@
 namespace symreal::rewrite {
 
 struct DescribedObject {
-  ObjectLayout layout;               // no text where the type itself tells how to get to the numbers, or has none
+  ObjectLayout layout;               // empty text if the type itself leads to the numbers, or has no numbers
   std::string refusal;               // why it cannot be annotated
-  std::vector<std::string> pointers; // members that point to numbers, which are no part of the object
-  std::vector<std::string> others;   // members with numbers that stay as they are
+  std::vector<std::string> pointers; // members that point to numbers, which the object does not include
+  std::vector<std::string> others;   // members with numbers that are not converted
 };
 
-// `is_packed`: the object may lie anywhere, so that no reference can be bound to it.
+// `is_packed`: the object may be misaligned, so that a reference cannot be bound to it.
 DescribedObject describe_object(clang::QualType type, bool is_packed, clang::ASTContext const &context,
                                 Reals const &reals);
 
-// Of a class that the runtime takes for a sequence or a matrix (<symreal/numbers.h>): what its elements are; else null.
+// Element type of a class that the runtime takes for a sequence or a matrix (<symreal/numbers.h>); else null.
 clang::QualType element_of(clang::CXXRecordDecl const *record);
 
 } // namespace symreal::rewrite

@@ -1,5 +1,5 @@
-// Arguments that are apart in the recorded call, and that another call may give in one place: the original then writes
-// what it has yet to read. A wrapper compares how they lie.
+// Arguments that are apart in the recorded call, and that may alias in another: the original then overwrites values
+// before it reads them. A wrapper compares their addresses.
 #pragma once
 
 #include "rewrite/facts/signature.h"
@@ -13,12 +13,12 @@ struct PlacedItem {
   std::size_t sections = 0;
   bool is_output = false;
   clang::QualType base_type = {};
-  clang::ValueDecl const *root = nullptr; // what the first name of the base refers to
+  clang::ValueDecl const *root = nullptr; // the declaration of the base's first name
   std::string root_name = {};
 };
 
-// Pairs of which one is an output. What no call can bring together is left out: parameters that are passed by value,
-// two variables, two members of one object, what a restricted pointer leads to.
+// Pairs with at least one output. Pairs that cannot alias are left out: parameters passed by value, two variables, two
+// members of one object, targets of a restrict pointer.
 std::vector<Overlap> possible_overlaps(clang::FunctionDecl const *function, std::vector<PlacedItem> const &items);
 
 } // namespace symreal::rewrite

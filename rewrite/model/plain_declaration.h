@@ -1,4 +1,4 @@
-// A function declared anew.
+// Redeclaration of a function under another name.
 #pragma once
 
 #include "rewrite/facts/signature.h"
@@ -6,19 +6,17 @@
 
 namespace symreal::rewrite {
 
-// Of a function that can be declared again under another name: its declaration from the syntax tree, without default
-// arguments, and the arguments that pass its parameters on. Parameters without a name have one here. Nothing for a
-// member, a template, a function in a namespace, one with variable arguments or other functions of its name.
+// Declaration of a function from the syntax tree, without default arguments, and the arguments that pass its parameters
+// on. Parameters without a name have one here. Nullopt unless it can be declared under another name: for a member, a
+// template, a function in a namespace, one with variable arguments or other functions of its name.
 std::optional<Signature> plain_declaration(clang::FunctionDecl const *function, clang::LangOptions const &language);
 
-// The type and the name that it declares, whatever stands around it: double (*name)(double), double name[3]. Types have
-// all their scopes.
-// The type in words that are right in any scope.
+// The type as text that is valid in any scope.
 std::string type_text(clang::QualType type, clang::ASTContext const &context);
-
+// Declaration of the name with this type: double (*name)(double), double name[3]. Types have all their scopes.
 std::string declared(clang::QualType type, std::string name, clang::ASTContext const &context);
 
-// The name of a parameter in what is declared here.
+// Name of a parameter in such a declaration.
 std::string name_of(clang::ParmVarDecl const *parameter);
 
 } // namespace symreal::rewrite

@@ -62,7 +62,7 @@ QualType Reals::pointee(Expr const *expression) {
 
 bool Reals::is_passive(VarDecl const *variable) const {
   if (variable->isConstexpr() || !in_roots(variable)) return true;
-  // A class may initialise a static const double in itself only because double is no class (a GNU extension).
+  // An initialiser in the class of a static const double is a GNU extension for arithmetic types: it stays double.
   return variable->isStaticDataMember() && variable->getType().isConstQualified() &&
          variable->getFirstDecl()->hasInit() && !variable->isInline();
 }
@@ -84,7 +84,7 @@ bool Reals::is_passive_class(QualType type) {
 }
 
 bool Reals::is_math_name(llvm::StringRef name) {
-  // The calls of the operation table, under both their names, and what the runtime builds from them.
+  // Names of the operation table's calls, in both forms, and of functions that the runtime builds from them.
   static llvm::StringSet<> const names = [] {
     llvm::StringSet<> known;
     for (OperationInfo const &operation : operations())
@@ -118,8 +118,8 @@ FunctionDecl const *Reals::pattern(FunctionDecl const *function) {
   return function;
 }
 
-// Is the expression a part of an object that stays double: an element of a constexpr array, a member of an object whose
-// class is not rewritten?
+// Whether the expression is a part of an object that stays double: an element of a constexpr array, a member of an
+// object whose class is not rewritten.
 bool Reals::object_is_passive(Expr const *expression) const {
   expression = expression->IgnoreParenImpCasts();
   if (auto const *reference = dyn_cast<DeclRefExpr>(expression)) {
@@ -133,7 +133,7 @@ bool Reals::object_is_passive(Expr const *expression) const {
   return false;
 }
 
-// An integer that depends on a number, of which a mathematical function makes a number again.
+// Whether a mathematical function's argument is an integer that depends on a number.
 static bool is_integer_of_numbers(Reals const &reals, Expr const *argument) {
   Expr const *written = argument->IgnoreParenImpCasts();
   auto const depends = [&reals](Expr const *part) {
@@ -168,7 +168,7 @@ bool Reals::call_stays_double(CallExpr const *call) const {
 
 namespace {
 
-// Looks for a number that does not stay one: what is chosen by it is a REAL, whatever the arms are.
+// Searches for a number that becomes REAL: a choice that depends on it is a REAL, whatever its arms are.
 class Numbers : public Walk {
 public:
   explicit Numbers(Reals const &reals) : reals_(reals) {}
@@ -184,7 +184,7 @@ private:
 } // namespace
 
 bool Reals::stays_double(Expr const *expression) const {
-  while (true) { // through what has no spelling of its own
+  while (true) { // skips nodes without text
     Expr const *inner = expression->IgnoreParenImpCasts();
     if (auto const *full = dyn_cast<FullExpr>(inner))
       inner = full->getSubExpr();

@@ -1,4 +1,4 @@
-// Which types and expressions become REAL in the symbolic program, and which stay double.
+// Classification of types and expressions: those that become REAL in the symbolic program, and those that stay double.
 #pragma once
 
 #include "rewrite/source/clang.h"
@@ -15,14 +15,14 @@ public:
 
   static bool is_double(clang::QualType type);
 
-  // Would an object of this type hold a REAL in itself or in the storage that it owns (a container's elements)?
+  // Whether an object of this type holds a REAL in itself or in the storage that it owns (a container's elements).
   bool carries_real(clang::QualType type) const;
 
-  // The same, looking through pointers, references and function types.
+  // Like carries_real, looking through pointers, references and function types.
   bool mentions_real(clang::QualType type) const;
 
-  // Does an expression of arithmetic type keep its type in the symbolic program: a literal, arithmetic on literals, the
-  // result of a function outside the roots, a constexpr variable?
+  // Whether an expression of arithmetic type keeps its type in the symbolic program: a literal, arithmetic on literals,
+  // the result of a function outside the roots, a constexpr variable.
   bool stays_double(clang::Expr const *expression) const;
 
   // A double now, a REAL in the symbolic program.
@@ -46,25 +46,25 @@ public:
     return found == externals_.end() ? nullptr : &found->second;
   }
 
-  // What a pointer, or an array on its way to become one, points to as it is written; null for anything else.
+  // Pointee, as spelled, of a pointer or of an array that decays to one; null for any other expression.
   static clang::QualType pointee(clang::Expr const *expression);
 
   // Integers that keep their dependency, as the class SymbolicInt (symbolic_ints.h).
   static bool is_integer(clang::QualType type);
-  // Through what has no spelling of its own and through conversions between integers.
+  // Integer expression behind conversions between integers and nodes without text.
   static clang::Expr const *spelled_integer(clang::Expr const *expression);
   void add_symbolic_integer(clang::VarDecl const *variable) { symbolic_integers_.insert(variable); }
   bool is_symbolic_integer(clang::VarDecl const *variable) const { return symbolic_integers_.contains(variable); }
   bool is_symbolic_integer(clang::Expr const *expression) const;
-  // Does it depend on a REAL, if of the conversions these do?
+  // Whether the integer depends on a REAL, given which conversions do.
   bool integer_depends(clang::Expr const *expression,
                        llvm::function_ref<bool(clang::CastExpr const *)> cast_does) const;
   // lround and its like, whose result is symbolic.
   bool rounds_to_integer(clang::FunctionDecl const *function) const;
-  // A conversion that is spelled so that its result stays symbolic.
+  // A conversion whose spelling keeps its result symbolic.
   void keep_integer(clang::CastExpr const *cast) { kept_casts_.insert(cast); }
   bool keeps_integer(clang::CastExpr const *cast) const { return kept_casts_.contains(cast); }
-  // An element that is read at a symbolic index, and the array that it is of; null for any other expression.
+  // An element read at a symbolic index, with its array; null for any other expression.
   void add_table_load(clang::Expr const *element, clang::Expr const *table) { table_loads_[element] = table; }
   clang::Expr const *table_of(clang::Expr const *element) const { return table_loads_.lookup(element->IgnoreParens()); }
 
@@ -73,10 +73,10 @@ public:
   // A function of <math.h> or <cmath>, for which the runtime has an overload.
   bool is_math(clang::FunctionDecl const *function) const;
   static bool is_math_name(llvm::StringRef name);
-  // In C: one that the program declares itself, and does not define.
+  // Whether a function of C is declared by the program itself and not defined.
   static bool is_declared_math(clang::FunctionDecl const *function);
 
-  // What the function was before its template parameters were replaced.
+  // The template pattern that the function was instantiated from.
   static clang::FunctionDecl const *pattern(clang::FunctionDecl const *function);
 
   // Templates of the standard library that count in plain numbers: random distributions, chrono.

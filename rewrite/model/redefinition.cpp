@@ -12,7 +12,7 @@ namespace {
 
 using namespace clang;
 
-// Why no other file can define it.
+// Reason why no other file can define the function.
 std::string obstacle_of(FunctionDecl const *function) {
   if (function->isTemplated() || function->getPrimaryTemplate() || function->getTemplateInstantiationPattern())
     return "it is a template, which each source instantiates for itself";
@@ -36,7 +36,7 @@ public:
         home_(file_of(function->getLocation())),
         found_(found) {}
 
-  // Where a header declares the function, the outermost scope need not be opened.
+  // Whether a header declares the function, so that its outermost scope need not be opened.
   bool declared_in_header() {
     for (FunctionDecl const *one : function_->redecls())
       if (file_of(one->getLocation()) != home_ && include(one->getLocation())) return true;
@@ -79,7 +79,7 @@ public:
 private:
   FileID file_of(SourceLocation location) const { return sources_.getFileID(sources_.getExpansionLoc(location)); }
 
-  // The #include of the function's own file that leads there. False where there is none.
+  // Adds the #include of the function's own file that leads to the location. False without one.
   bool include(SourceLocation location) {
     FileID file = file_of(location);
     while (file.isValid()) {
@@ -129,7 +129,7 @@ private:
       include(one->getLocation());
   }
 
-  // Which header of the standard library has a class: another header may have brought it in, with this compiler.
+  // Adds the standard library's header of a class: this compiler may have got the class through another header.
   bool include_standard(TagDecl const *tag) {
     static std::map<llvm::StringRef, llvm::StringRef> const headers = {
         {"vector", "vector"},     {"array", "array"},
@@ -190,7 +190,7 @@ private:
   std::set<std::string> standard_;
 };
 
-// Behind the parameters of a definition.
+// Qualifiers behind the parameters of a definition.
 std::string qualifiers(FunctionDecl const *function) {
   std::string text;
   if (auto const *method = dyn_cast<CXXMethodDecl>(function)) {

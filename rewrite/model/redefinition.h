@@ -1,4 +1,4 @@
-// What another file must say so that it can define a function anew.
+// Redefinition of a function in another file: the includes, declarations and scopes that it needs.
 #pragma once
 
 #include "rewrite/facts/signature.h"
@@ -9,7 +9,7 @@
 
 namespace symreal::rewrite {
 
-// A name in the items of a kernel, and what it is.
+// A name in the items of a kernel, and its declaration.
 struct NamedItem {
   std::string name;
   clang::ValueDecl const *declaration;

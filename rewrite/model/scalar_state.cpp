@@ -55,7 +55,7 @@ public:
       looked_at_.insert(part_of(loop->getRangeInit()));
     return true;
   }
-  // std::count(a, a + n, v), and std::find(a, a + n, v) - a: through what is found nothing is written.
+  // std::count(a, a + n, v), and std::find(a, a + n, v) - a: their results are not written through.
   bool VisitCallExpr(CallExpr *call) override {
     if (!call->getType()->isPointerType()) only_reads(call);
     return true;
@@ -100,8 +100,8 @@ private:
   llvm::SmallPtrSet<DeclRefExpr const *, 32> looked_at_;
 };
 
-// How a source changes what seems not to be changed: by a cast that takes const away, and by a constructor that tells
-// others where its object is.
+// Indirect changes of apparently constant variables: through a cast that removes const, and through a constructor that
+// lets the object's address escape.
 class Detours : public Walk {
 public:
   explicit Detours(SourceMap const &map) : map_(map) {}
@@ -219,7 +219,7 @@ bool ScalarState::is_copied(CXXRecordDecl const *record) {
                       [](CXXConstructorDecl const *one) { return one->isCopyConstructor() && !one->isDeleted(); });
 }
 
-// Without numbers.
+// Whether the record is a union without numbers.
 static bool is_plain_union(RecordDecl const *record) {
   return record->isUnion() && llvm::none_of(record->fields(), [](FieldDecl const *field) {
            QualType const type = field->getType()->getBaseElementTypeUnsafe()->getCanonicalTypeUnqualified();

@@ -22,7 +22,7 @@ bool has(QualType type, library::Class trait) {
   return false;
 }
 
-// Text and functions are looked at where they decide.
+// Whether the pointee is an object; text and functions are checked where they decide.
 bool leads_to_object(QualType type) {
   QualType const target = type->getPointeeType();
   return !target.isNull() && !target->isFunctionType() && !target->isAnyCharacterType() && !type->isMemberPointerType();
@@ -147,7 +147,7 @@ bool Storage::target_is_constant(VarDecl const *variable) const {
   return address && address->getOpcode() == UO_AddrOf && home(address->getSubExpr()) == Home::constant;
 }
 
-// The home of the object that the pointer leads to.
+// Storage of the pointer's target.
 Home Storage::home_behind(Expr const *pointer) const {
   auto const *reference = dyn_cast<DeclRefExpr>(spelled_expression(pointer));
   auto const *variable = reference ? dyn_cast<VarDecl>(reference->getDecl()) : nullptr;
@@ -174,7 +174,7 @@ Home Storage::home_of(ValueDecl const *declaration, bool is_captured) const {
 Home Storage::home_of_call(CallExpr const *call) const {
   Expr const *object = object_of(call);
   FunctionDecl const *function = call->getDirectCallee();
-  if (function && selects_argument(function)) return Home::local; // the arguments are looked at themselves
+  if (function && selects_argument(function)) return Home::local; // the arguments are checked themselves
   if (!object || !function) return call->isGLValue() ? Home::elsewhere : Home::local;
   if (!call->isGLValue() && !is_view(call->getType())) return Home::local;
   bool const known = owns_elements(object->getType()) || is_view(object->getType());

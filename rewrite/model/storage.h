@@ -1,5 +1,5 @@
-// Where an expression's object lives, as far as the source tells: in the function itself, or somewhere that may outlive
-// the kernel. The recording judges by addresses; what is certainly local need not be looked at.
+// Storage of an expression's object, as far as the source shows: local to the function, or elsewhere, where it may
+// outlive the kernel. The recording judges by addresses; certainly local objects need no check.
 #pragma once
 
 #include "rewrite/model/reals.h"
@@ -8,7 +8,7 @@
 namespace symreal::rewrite {
 
 enum class Home {
-  local,     // a variable of the function, or what such a container owns
+  local,     // a variable of the function, or elements that it owns
   elsewhere, // behind a pointer or reference, in *this, of static storage duration
   constant,  // a const object of static storage duration
 };
@@ -22,19 +22,19 @@ public:
   // The reference at the base of a name's members and elements, or null.
   static clang::Expr const *base(clang::Expr const *expression);
 
-  // An object of the class lets others' numbers be seen, such as Eigen's Map and Block.
+  // Whether objects of the class refer to others' numbers, such as Eigen's Map and Block.
   static bool is_view(clang::QualType type);
 
-  // The object that a call is made on, if it is a member's.
+  // Object operand of a member call; null for other calls.
   static clang::Expr const *object_of(clang::CallExpr const *call);
-  // A container of a library that holds its elements itself.
+  // Whether the class is a library container that holds its elements itself.
   static bool owns_elements(clang::QualType type);
-  // It gives elements of others, and holds none: a view, a std::initializer_list.
+  // Whether the class refers to elements of others: a view, a std::initializer_list.
   static bool lends(clang::QualType type);
-  // Does an object hold pointers or references to objects? A container's own to its elements do not count.
+  // Whether an object holds pointers or references to objects. A container's own to its elements do not count.
   static bool holds_pointer(clang::QualType type);
-  // An expression that leads from the variable to objects that are no part of it: the variable where it is a pointer or
-  // holds one, an address where it is a reference; empty where none is known.
+  // Expression that leads from the variable to objects outside of it: the variable if it is a pointer or holds one, its
+  // address if it is a reference; empty if unknown.
   static std::string lead_from(clang::VarDecl const *variable);
 
 private:
@@ -48,14 +48,14 @@ private:
   mutable llvm::SmallPtrSet<clang::VarDecl const *, 2> followed_;
 };
 
-// Is there such a type among the arguments of the template, those of a pack included?
+// Whether the template has such a type among its arguments, those of a pack included.
 bool any_type_argument(clang::ClassTemplateSpecializationDecl const *special,
                        llvm::function_ref<bool(clang::QualType)> is_one);
 
-// Does the function return one of its arguments?
+// Whether the function returns one of its arguments.
 bool selects_argument(clang::FunctionDecl const *function);
 
-// Without what has no spelling of its own, and without parentheses.
+// The expression without parentheses and nodes without text.
 clang::Expr const *spelled_expression(clang::Expr const *expression);
 
 } // namespace symreal::rewrite

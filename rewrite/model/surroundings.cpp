@@ -11,7 +11,7 @@ using namespace clang;
 
 namespace {
 
-// Where a variable is mentioned, and whether it is given a value there.
+// A mention of a variable, in order to see whether it is assigned there.
 struct Mention {
   std::size_t offset;
   Expr const *name;
@@ -60,7 +60,7 @@ void collect_assigned(Stmt const *statement, llvm::SmallPtrSetImpl<Expr const *>
   if (binary->isCommaOp()) collect_assigned(binary->getLHS(), names);
 }
 
-// From the pragma that begins a kernel to the one that ends it.
+// A block kernel, from the pragma that begins it to the one that ends it.
 struct Block {
   PragmaFact *pragma;
   std::size_t begin, end;
@@ -169,7 +169,7 @@ private:
     if (!is_scalar) found_.blocks_[variable].emplace_back(block.begin, block.end);
   }
 
-  // Which constants the code before the block has chosen.
+  // Notes a pointer that selects constants before the block.
   void add_lead(Block const &block, VarDecl const *variable) const {
     if (!variable->getIdentifier() || !variable->hasLocalStorage() || !mentions_.contains(variable)) return;
     if (!variable->hasInit() && !isa<ParmVarDecl>(variable) && !changed_.contains(variable)) return;
@@ -186,14 +186,14 @@ private:
                                                   : target->EvaluateAsRValue(result, context);
   }
 
-  // In the order of the text.
+  // Mentions of the variable in text order.
   std::vector<Mention> const &mentions_of(VarDecl const *variable) {
     std::vector<Mention> &mentions = mentions_[variable];
     std::sort(mentions.begin(), mentions.end(), [](Mention const &a, Mention const &b) { return a.offset < b.offset; });
     return mentions;
   }
 
-  // A scalar is not followed; what counts is whether the block begins with a use of it.
+  // A scalar is not traced; it counts if the block begins with a use of it.
   bool is_read_first(Block const &block, std::vector<Mention> const &mentions) const {
     auto const first = std::find_if(mentions.begin(), mentions.end(),
                                     [&block](Mention const &one) { return one.offset > block.begin; });

@@ -1,5 +1,5 @@
-// The locals of a function around a block kernel. They live longer than the kernel, and what it reads of them is baked
-// in; unlike other state they may be changed, since nobody else knows them.
+// Locals of a function around a block kernel. They outlive the kernel, and the values that it reads are baked in;
+// unlike other state they may be changed, since no other function knows them.
 #pragma once
 
 #include "rewrite/model/reals.h"
@@ -10,18 +10,18 @@ namespace symreal::rewrite {
 
 class Surroundings {
 public:
-  // Looks for the blocks, and tells the pragma that begins each which locals there are.
+  // Finds the blocks, and adds the locals around each to the pragma that begins it.
   Surroundings(clang::ASTContext &context, SourceMap const &map, Reals const &reals, ScalarState const &scalars,
                Facts &facts);
 
-  // Is it a number, or an object of numbers, that a block finds there, mentioned within the block?
+  // Whether the variable is a number, or an object of numbers, from outside of a block that mentions it here.
   bool contain(clang::VarDecl const *variable, clang::SourceLocation mention) const;
 
 private:
   friend class BlockFunctions;
 
   SourceMap const &map_;
-  // Where the blocks that may use it begin and end, in its file.
+  // Begin and end of the blocks that may use the variable, in its file.
   std::map<clang::VarDecl const *, std::vector<std::pair<std::size_t, std::size_t>>> blocks_;
 };
 

@@ -16,7 +16,7 @@ CXXRecordDecl const *class_of(QualType type) {
   return record && record->hasDefinition() ? record->getDefinition() : nullptr;
 }
 
-// Is it one of these templates of the standard library, or derived from one?
+// Whether the record is one of these templates of the standard library, or derived from one.
 bool is_standard(CXXRecordDecl const *record, llvm::ArrayRef<llvm::StringRef> names) {
   if (!record) return false;
   if (record->isInStdNamespace() && llvm::is_contained(names, name_of(record))) return true;

@@ -1,4 +1,4 @@
-// What functions of the library do with text (library.def).
+// Classification of library functions and types that handle text (library.def).
 #pragma once
 
 #include "rewrite/source/clang.h"
@@ -9,19 +9,19 @@ enum class TextUse { none, memory, outside, reader };
 
 TextUse text_use(clang::FunctionDecl const *function);
 
-// A member of a string or stream whose result depends on what that holds.
+// Whether a member of a string or stream has a result that depends on the text held.
 bool reads_its_text(clang::CXXMethodDecl const *method);
-// A member of a container that compares its argument with its keys.
+// Whether a member of a container compares its argument with its keys.
 bool compares_keys(clang::CXXMethodDecl const *method);
 
-// Characters in memory, a string, a file or a stream.
+// Whether the type is characters in memory, a string, a file or a stream.
 bool is_text(clang::QualType type);
 bool is_string(clang::QualType type);
-// A file or a stream: what is given beside it is where the text goes.
+// Whether the type is a file or a stream: the argument beside it receives the text.
 bool is_source(clang::QualType type);
-// One byte that may be a character.
+// Whether the type is a single byte that may be a character.
 bool is_character(clang::QualType type);
-// An object that text is written to and that it can be read from.
+// Whether text written to an object of the type can be read from it.
 bool keeps_text(clang::QualType type);
 
 } // namespace symreal::rewrite

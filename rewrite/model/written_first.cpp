@@ -54,7 +54,7 @@ Does effect_of(Stmt const *statement, VarDecl const *variable, bool (*is_it)(Exp
 // `count`: how often the statement itself has the variable as an operand.
 using Effect = llvm::function_ref<Does(Stmt const *, VarDecl const *, unsigned &count)>;
 
-// How often the variable is among what a function of the library gives one of, as std::max(n, 1): it only reads them.
+// Occurrences of the variable in calls that return one of their arguments, as std::max(n, 1), which only read it.
 unsigned choices_among(Expr const *expression, VarDecl const *variable) {
   auto const *call = dyn_cast<CallExpr>(spelled_expression(expression));
   FunctionDecl const *function = call ? call->getDirectCallee() : nullptr;
@@ -74,7 +74,7 @@ Does sure_effect_of(Stmt const *statement, VarDecl const *variable, unsigned &co
   return count > 0 && does == Does::nothing ? Does::reads : does;
 }
 
-// A part counts as the whole, and a function that is given it as one that assigns it.
+// Effect with a part counted as the whole, and a call that takes the variable as an assignment.
 Does likely_effect_of(Stmt const *statement, VarDecl const *variable, unsigned &count) {
   Does const does = effect_of(statement, variable, names_part);
   count = does != Does::nothing;
@@ -87,7 +87,7 @@ Does likely_effect_of(Stmt const *statement, VarDecl const *variable, unsigned &
   return count > 0 ? Does::writes : Does::nothing;
 }
 
-// How often the variable is mentioned, and how often as an operand of the above. A lambda may be called later.
+// Counts the variable's mentions, and those that the effects above explain. A lambda may be called later.
 class Mentions : public Walk {
 public:
   Mentions(VarDecl const *variable, Effect effect) : variable_(variable), effect_(effect) {}
@@ -146,8 +146,8 @@ bool is_written_first(VarDecl const *variable, Effect effect, bool each_loop_run
   options.setAllAlwaysAdd();
   std::unique_ptr<CFG> const graph = CFG::buildCFG(function, function->getBody(), &function->getASTContext(), options);
   if (!graph) return false;
-  // Assigned at the end of each block, until nothing changes; a block that is not reached yet is optimistic. Behind a
-  // loop, what its last turn has left may count.
+  // Fixed point of `assigned` at the end of each block; unreached blocks are optimistic. Behind a loop, assignments of
+  // its last iteration may count.
   std::vector<char> assigned(graph->getNumBlockIDs(), 1), behind(assigned);
   bool reads_early = false;
   for (bool is_new = true; is_new && !reads_early;) {

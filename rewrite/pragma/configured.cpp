@@ -63,7 +63,7 @@ public:
     return (qualified(function) == name_ || qualified(function, true) == name_) &&
            (!types_ || has_types(function, *types_));
   }
-  // Without types.
+  // Name without parameter types.
   std::string const &name() const { return name_; }
   static std::string qualified(FunctionDecl const *function, bool with_inline_namespaces = false) {
     PrintingPolicy policy(function->getASTContext().getLangOpts());
@@ -115,7 +115,7 @@ bool read_clauses(ConfiguredKernel const &kernel, Span const &span, ASTContext &
   return true;
 }
 
-// Such an entry adds to a pragma of the source what it lacks.
+// Whether the entry only adds clauses that the source's pragma lacks.
 bool only_adds(ConfiguredKernel const &kernel) {
   return !kernel.clauses.empty() &&
          std::all_of(kernel.clauses.begin(), kernel.clauses.end(), [](ConfiguredClause const &clause) {
@@ -141,7 +141,7 @@ public:
 
   void attach(ConfiguredKernel const &kernel, std::size_t index, FunctionDecl const *function) {
     std::optional<Span> const brace = map_.token(block_of(function)->getBeginLoc());
-    if (!brace) return; // outside the roots, or made by a macro: nothing that can be rewritten answers to the name
+    if (!brace) return; // outside the roots, or made by a macro: it cannot be rewritten
     if (!kernel.file.empty() && kernel.file != brace->file) return;
     for (auto &[span, pragma] : facts_.pragmas)
       if (!pragma.function.empty() && pragma.function[0].brace == *brace && pragma.configured != index)

@@ -1,5 +1,5 @@
-// What the request says instead of pragmas: kernels whose functions are named, and external functions. Their words are
-// those of the pragmas and go the same way from there on.
+// Kernels and external functions that the request configures instead of pragmas. Their words are those of the pragmas
+// and are processed in the same way from there on.
 #pragma once
 
 #include "rewrite/facts/facts.h"
@@ -13,18 +13,18 @@
 
 namespace symreal::rewrite {
 
-// Puts the request's externals beside those that pragmas of this source name.
+// Adds the request's externals to those of this source's pragmas.
 void index_configured_externals(Request const &request, clang::ASTContext &context, PragmaIndex &index, Facts &facts);
 
-// Attaches the request's kernels to those of the definitions that they name.
+// Attaches the request's kernels to the definitions that they name.
 void attach_configured_kernels(Request const &request, std::vector<clang::FunctionDecl const *> const &definitions,
                                SourceMap const &map, Reals const &reals, ScalarState const &scalars, Facts &facts);
 
-// The qualified name of the function that it asks for, without types: one of Facts::kernel_functions where the kernel
-// matters to a source at all.
+// Qualified name of the kernel's function, without types: one of Facts::kernel_functions if the kernel matters to a
+// source.
 std::string configured_name(ConfiguredKernel const &kernel);
 
-// What no source defines or declares, or more than one function answers to; once all sources are read.
+// Reports entries that match no function or several, once all sources are read.
 void report_configured(Request const &request, Facts &facts);
 
 } // namespace symreal::rewrite

@@ -19,7 +19,7 @@ public:
       std::size_t const begin = lexer.getCurrentBufferOffset() - token.getLength();
       std::string const spelled = text.substr(begin, token.getLength());
       Place place = from.place;
-      // What goes over several lines was folded when it was read.
+      // A text of several lines was folded when it was read, so its columns are unknown.
       if (text.find('\n') == text.npos) place.column += static_cast<unsigned>(begin);
       bool const is_word = token.is(tok::raw_identifier);
       bool is_name = false;

@@ -6,7 +6,7 @@ namespace symreal::rewrite {
 
 using namespace clang;
 
-// What is written as well as read is only read here.
+// A derivative takes pointers to const, even for the function's output parameters.
 bool DerivativeForm::is_same_parameter(QualType wanted, QualType found) const {
   if (!wanted->isPointerType() || !found->isPointerType())
     return context_.hasSameUnqualifiedType(wanted.getCanonicalType(), found.getCanonicalType());

@@ -1,5 +1,5 @@
-// `derivative(f_jacobian, f_hessian)` of a pragma `external`: whether these functions can give the derivatives of the
-// one before them. DerivativeFunction says what form that is.
+// `derivative(f_jacobian, f_hessian)` of a pragma `external`: whether each function has the form of the derivative of
+// the one before it. DerivativeFunction describes the form.
 #pragma once
 
 #include "rewrite/source/clang.h"
@@ -11,8 +11,8 @@ namespace symreal::rewrite {
 
 class DerivativeForm {
 public:
-  // `given`: types of the parameters that the function is given; how many numbers these are, and its results: 0 where
-  // only a call knows.
+  // `given`: types of the input parameters; `numbers` and `results`: counts of the numbers in them and of the results;
+  // 0 if only a call determines them.
   DerivativeForm(clang::ASTContext &context, std::vector<clang::QualType> given, std::size_t numbers,
                  std::size_t results)
       : context_(context),
@@ -20,9 +20,9 @@ public:
         numbers_(numbers),
         partials_(numbers * results) {}
 
-  // Why it cannot be the next derivative, or nothing.
+  // Error message if it cannot be the next derivative, else empty.
   std::string add(clang::FunctionDecl const *derivative);
-  // What they add to the text.
+  // Text of the derivatives for the graph.
   std::string const &text() const { return text_; }
 
 private:

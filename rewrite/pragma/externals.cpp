@@ -11,10 +11,10 @@ namespace {
 
 using namespace clang;
 
-// Of a parameter or a result: how the graph's text spells it, or why it cannot.
+// Spelling of a parameter or result in the graph's text, or the error that prevents it.
 struct Value {
   std::string text;
-  std::string size = "0"; // where only a call knows it
+  std::string size = "0"; // if only a call determines it
   std::string error = {};
 
   bool is(std::string_view kind) const { return text.starts_with(kind); }
@@ -26,7 +26,7 @@ struct Value {
 
 Value wrong(std::string error) { return {"", "0", std::move(error)}; }
 
-// How many doubles an object of the type consists of; 0 if of anything else.
+// Number of doubles that an object of the type consists of; 0 if it holds anything else.
 std::uint64_t doubles_in(QualType type, ASTContext const &context) {
   if (Reals::is_double(type) && !type->isReferenceType()) return 1;
   if (auto const *array = context.getAsConstantArrayType(type))
@@ -75,7 +75,7 @@ public:
     if (!function || !is_callable(pragma.function, pragma.name_place, function)) return;
     std::string text, sizes;
     std::vector<QualType> given;
-    std::size_t numbers = 0, results = 0; // in what it is given, and in what it gives
+    std::size_t numbers = 0, results = 0; // among its inputs, and among its outputs
     if (!function->getReturnType()->isVoidType()) {
       Value const returned = scalar_or_object(function->getReturnType(), context_);
       if (!returned.error.empty())
@@ -235,7 +235,7 @@ private:
 
   Value sized(std::string const &kind, std::uint64_t unit, ExternalPragma::Item const &item,
               FunctionDecl const *function) {
-    // Each section is one dimension; those of the declared type are known already.
+    // Each section is one dimension; extents of the declared type are known already.
     QualType rest = function->getParamDecl(*index_of(function, item.name))->getType()->getPointeeType();
     for (std::size_t k = 1; k < item.lengths.size(); ++k) {
       auto const *array = context_.getAsConstantArrayType(rest);

@@ -17,11 +17,11 @@
 
 namespace symreal::rewrite {
 
-// Reads the tokens of such a directive, of which the first is `external`.
+// Parses the tokens of a directive that begins with `external`.
 std::variant<ExternalPragma, PragmaError> parse_external(std::vector<PragmaToken> const &tokens,
                                                          std::vector<Place> const &places);
 
-// Looks the functions up, after all of the source has been read, and tells `reals` how calls of each are recorded.
+// Looks the functions up, after all of the source has been read, and registers them with `reals`.
 void collect_externals(clang::ASTContext &context, SourceMap const &map, PragmaIndex const &index, Facts &facts,
                        Reals &reals);
 

@@ -9,7 +9,7 @@ namespace {
 
 using namespace clang;
 
-// Of each file, once each, in the order of their definitions.
+// Static variables of each file, once each, in the order of their definitions.
 class Statics : public Walk {
 public:
   Statics(ASTContext &context, SourceMap const &map, ScalarState const &scalars)
@@ -39,7 +39,7 @@ public:
   }
 
   std::map<std::string, std::string> by_file; // by real path, separated by blanks
-  std::set<std::string> changeable;           // behind a star, one that leads to what may be
+  std::set<std::string> changeable;           // with a star, one that only leads to what may change
 
 private:
   bool is_changeable(VarDecl const *variable) const {

@@ -12,7 +12,7 @@ std::string replaced(std::string text, std::string const &from, std::string cons
   return text;
 }
 
-// What the index of section k is in an item's expression.
+// Index of section k in an item's expression.
 std::string index_of(Section const &section, std::size_t k) {
   return "(" + section.low + ")+symreal_i[" + std::to_string(k) + "]";
 }
@@ -44,7 +44,7 @@ class Bounds {
 public:
   Bounds(ItemFact &item, LookUp look_up, Facts &facts) : item_(item), look_up_(look_up), facts_(facts) {}
 
-  // From left to right: what stands before a bracket may have a test already, so later ones begin `shift_` farther on.
+  // Processes indices from left to right: tests inserted before a bracket shift later ones by `shift_`.
   void note(std::vector<ItemIndex> const &indices) {
     std::string tested = item_.expression;
     for (ItemIndex const &index : indices) {
@@ -56,7 +56,7 @@ public:
         if (named.are_within(*index.count)) continue;
         refuse(written(object, item_.sections), *index.count);
       }
-      test(tested, index, object, inner); // what is refused, too: the original does not rely on it
+      test(tested, index, object, inner); // refused ones, too: the original does not rely on them
     }
     if (tested != item_.expression) item_.tested = tested;
   }
@@ -66,7 +66,7 @@ private:
     add_diagnostic(facts_, {DiagnosticId::section_beyond, item_.place, beyond_message(item_.label, object, count)});
   }
 
-  // Whatever has been tested so far stands before this bracket, in the object or in front of it.
+  // Earlier tests stand before this bracket, in the object or in front of it.
   void test(std::string &tested, ItemIndex const &index, std::string const &object, std::string const &inner) {
     std::string const name = in_quotes(written(object, item_.sections));
     std::size_t const behind = item_.expression.size() - index.close; // with the bracket
@@ -76,7 +76,7 @@ private:
                      "SYMREAL_INDEX(" + std::to_string(*index.count) + ", " + name + ", " + inner + ")");
       return;
     }
-    std::size_t const begin = index.object; // nothing in front of an object is indexed before the object itself is
+    std::size_t const begin = index.object; // indices within an object follow the object itself
     std::string const now = tested.substr(begin, open - begin);
     tested.replace(begin, close + 1 - begin, "SYMREAL_ELEMENT(" + name + ", (" + inner + "), " + now + ")");
   }

@@ -1,8 +1,8 @@
-// Collects `#pragma symreal` directives while the source is preprocessed.
+// Collection of `#pragma symreal` directives while the source is preprocessed.
 //
 // A pragma in a block also puts `(void)(item);` into the token stream for each of its items, at the item's own place.
-// So the compiler itself looks the names up where the pragma stands: an undeclared one is its error at that place, and
-// the statement shows in the syntax tree what the item is and whether the pragma stands where a statement can.
+// So the compiler itself looks up the names: an undeclared one is its error at that place, and the statement shows in
+// the syntax tree the item's type and whether the pragma stands where a statement can.
 #pragma once
 
 #include "rewrite/facts/facts.h"
@@ -16,14 +16,14 @@
 
 namespace symreal::rewrite {
 
-// The items of this source's pragmas by the raw location that their statement has in the syntax tree.
+// An item of this source's pragmas, found by the raw location of its statement in the syntax tree.
 struct ItemKey {
   Span pragma;
   std::size_t clause;
   std::size_t item;
 };
 
-// `external(f)` and what stands beside it (externals.h).
+// A pragma `external(f)` with its other clauses (externals.h).
 struct ExternalPragma {
   struct Item {
     std::string name;
@@ -38,14 +38,14 @@ struct ExternalPragma {
     std::string name;
     Place place;
   };
-  std::vector<Function> derivatives;          // its first, the first of that, ...
-  std::optional<std::size_t> configured = {}; // it stands in no file: which of the request's externals it is
+  std::vector<Function> derivatives;          // the first derivative, the second, ...
+  std::optional<std::size_t> configured = {}; // for a pragma from the request: the index of its external
 };
 
 struct PragmaIndex {
   bool ask_compiler = true; // put the items into the token stream
   std::map<unsigned, ItemKey> statements;
-  // Of a function pragma: the names that its items look up, each at its token's place.
+  // Names that the items of function pragmas look up, each at its token's place.
   struct Name {
     std::string text;
     Place place;
@@ -58,15 +58,15 @@ struct PragmaIndex {
   std::vector<ExternalPragma> externals;
 };
 
-// The tokens of a directive, each with its place and whether it is a name that is looked up, no keyword or macro.
+// Tokens of a directive, each with its place and whether it is a name to look up rather than a keyword or macro.
 struct PragmaWords {
   std::vector<PragmaToken> tokens;
   std::vector<Place> places;
   std::vector<bool> names;
 };
 
-// Adds the clauses of a parsed directive to its fact, which is known by `span`; of a function pragma also the names
-// that must be looked up.
+// Adds the clauses of a parsed directive to its fact, whose key is `span`; for a function pragma also the names to look
+// up.
 void add_clauses(PragmaFact &fact, Pragma const &pragma, PragmaWords const &words, Span const &span,
                  std::vector<PragmaIndex::Name> &names);
 

@@ -69,7 +69,7 @@ void note_declaration(ItemFact &item, ValueDecl const *declaration) {
   take_declared_extents(item, declaration);
 }
 
-// What is annotated as a whole: its numbers are inputs, parameters or outputs.
+// Whether the clause annotates its items as a whole: their numbers are inputs, parameters or outputs.
 bool takes_numbers(ClauseFact const &clause) { return info(clause.clause).has(trait::GIVEN | trait::RESULTS); }
 
 void note_layout(ClauseFact const &clause, ItemFact &item, ItemType const &type, ASTContext const &context,
@@ -119,7 +119,7 @@ public:
   std::vector<ReturnStmt *> found;
 };
 
-// Does the function change the variable itself, as in `n--` or `*out++ = x`?
+// Whether the function changes the variable itself, as in `n--` or `*out++ = x`.
 class Changes : public Walk {
 public:
   explicit Changes(ValueDecl const *variable) : variable_(variable) {}
@@ -284,7 +284,7 @@ private:
       ClauseInfo const &clause = info(pragma.clauses[name.item.clause].clause);
       bool const is_compared = clause.clause == Clause::constant; // by a wrapper
       if (clause.has(trait::GIVEN | trait::RESULTS) || is_compared) named.push_back({name.text, declaration});
-      // Outputs are read when the function returns, so what says where they are must still say so then.
+      // Outputs are read when the function returns, so the names that locate them must be unchanged then.
       bool const locates = !name.is_base || item.section_on_base;
       if (clause.has(trait::RESULTS) && locates && isa<ParmVarDecl>(declaration))
         refuse_changes(item, name.text, declaration, function);
@@ -297,7 +297,8 @@ private:
     }
     for (ClauseFact &clause : pragma.clauses)
       for (ItemFact &item : clause.items) {
-        if (!item.seen) item.seen = item.carries_real = true; // it begins with no plain name: nothing is known
+        if (!item.seen)
+          item.seen = item.carries_real = true; // it does not begin with a plain name: its type is unknown
         auto const find = [function](std::string const &name) { return look_up(name, function); };
         if (item.is_return) continue;
         ItemType const type = type_of_item(item.expression, function->getASTContext(), function, find);
@@ -311,8 +312,8 @@ private:
     return named;
   }
 
-  // The object itself, or what it points or refers to. A container has a number of elements, a smart pointer leads
-  // somewhere.
+  // Whether the object, or its target, holds a scalar: a container has a number of elements, a smart pointer an
+  // address.
   bool holds_scalar(QualType type) const {
     while ((type->isPointerType() && !type->isFunctionPointerType()) || type->isReferenceType() || type->isArrayType())
       type = type->isArrayType() ? type->getAsArrayTypeUnsafe()->getElementType() : type->getPointeeType();
@@ -337,14 +338,14 @@ private:
               {DiagnosticId::pragma_item, item.place, "'" + pragma.function[0].name + "' returns nothing"});
   }
 
-  // In words that C and C++ have.
+  // Integer type as text that is valid in C and C++.
   static std::string integer_words(QualType type) {
     if (auto const *enumeration = type->getAs<EnumType>()) type = enumeration->getDecl()->getIntegerType();
     type = type.getCanonicalType().getUnqualifiedType();
     return type->isBooleanType() ? "SYMREAL_BOOL" : type.getAsString();
   }
 
-  // The reason why a value of this type cannot be an output; empty where it may be one.
+  // Reason why a value of this type cannot be an output; empty if it can be.
   std::string unfit_as_output(QualType type, ASTContext const &context) const {
     std::string const name = declared(type.getUnqualifiedType(), "", context);
     std::string const what = "output(return): it is " + name + ", ";
@@ -408,7 +409,7 @@ private:
     }
   }
 
-  // The returned type in parentheses, as the function itself can write it; empty where it cannot.
+  // The returned type in parentheses, as the function itself can write it; empty if it cannot.
   static std::string type_in_words(FunctionDecl const *function) {
     QualType const type = function->getReturnType();
     ASTContext const &context = function->getASTContext();

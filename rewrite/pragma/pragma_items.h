@@ -1,5 +1,5 @@
-// Finds out what the items of pragmas are: region items from the statements that the pragma handler put into the token
-// stream, those of function pragmas by looking their names up in the function that follows.
+// Resolution of pragma items: region items by the statements that the pragma handler put into the token stream, those
+// of function pragmas by look-up of their names in the function that follows.
 #pragma once
 
 #include "rewrite/facts/facts.h"
@@ -13,7 +13,7 @@
 
 namespace symreal::rewrite {
 
-// If the statement of a block is one that a pragma stands for, notes that its item was seen there, and its type.
+// Notes for a statement inserted for a pragma's item that the item was seen there, and its type.
 void note_item(clang::Stmt const *statement, clang::ASTContext const &context, Reals const &reals,
                ScalarState const &scalars, PragmaIndex const &index, Facts &facts);
 
@@ -21,11 +21,11 @@ void note_item(clang::Stmt const *statement, clang::ASTContext const &context, R
 void attach_function_pragmas(std::vector<clang::FunctionDecl const *> const &definitions, SourceMap const &map,
                              Reals const &reals, ScalarState const &scalars, PragmaIndex const &index, Facts &facts);
 
-// The same for one function pragma and the definition that it is about; `names` are those that its items look up.
+// Attaches one function pragma to its definition; `names` are those that its items look up.
 void attach_pragma(Span const &span, clang::FunctionDecl const *definition, std::vector<PragmaIndex::Name> const &names,
                    SourceMap const &map, Reals const &reals, ScalarState const &scalars, Facts &facts);
 
-// The block between the braces of a function, or of its function-try-block; null where it has no body.
+// The compound statement of a function's body or function-try-block; null without a body.
 clang::Stmt const *block_of(clang::FunctionDecl const *function);
 
 } // namespace symreal::rewrite

@@ -109,7 +109,7 @@ private:
     return item;
   }
 
-  // The colon between low and length, or `close`. A colon that answers a `?` is none.
+  // The colon between low and length, or `close`. A colon that belongs to a `?` does not count.
   std::size_t colon_of_section(std::size_t begin, std::size_t close) const {
     std::size_t found = close;
     int questions = 0;

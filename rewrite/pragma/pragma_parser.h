@@ -1,4 +1,4 @@
-// Reads the tokens of a `#pragma symreal` directive. Knows neither Clang nor what the names mean.
+// Parser of `#pragma symreal` directives, independent of Clang and of the names' meanings.
 //
 //   directive := ["function"] clause { clause }
 //   clause    := name "(" [item { "," item }] ")"
@@ -60,7 +60,7 @@ std::variant<Pragma, PragmaError> parse_pragma(std::vector<PragmaToken> const &t
 // The source text of the tokens, white space normalised.
 std::string text_of(std::vector<PragmaToken> const &tokens, TokenRange range);
 
-// The item with `[(low)+symreal_i[k]]` for its k-th section: what an annotation evaluates for each index.
+// The item with `[(low)+symreal_i[k]]` for its k-th section: the expression of one element.
 std::string element_text(std::vector<PragmaToken> const &tokens, PragmaItem const &item);
 
 // The item without its sections.

@@ -11,7 +11,7 @@ class Watch : public PPCallbacks {
 public:
   Watch(SourceMap const &map, Facts &facts) : map_(map), facts_(facts) {}
 
-  // It is parsed elsewhere, if the compiler knows it at all: here the text says enough.
+  // Whether the compiler knows the pragma or not, its text suffices here.
   void PragmaDirective(SourceLocation location, PragmaIntroducerKind) override {
     if (!map_.in_roots(location)) return;
     llvm::StringRef const rest = map_.sources().getCharacterData(map_.sources().getSpellingLoc(location));

@@ -182,7 +182,7 @@ private:
     }
   }
 
-  // Where a compiler looks for headers besides.
+  // Adds the header directories that an environment variable sets for the compiler.
   void assign(llvm::StringRef word) {
     auto const [name, value] = word.split('=');
     bool const is_for_c = name == "C_INCLUDE_PATH", is_for_cxx = name == "CPLUS_INCLUDE_PATH";
@@ -226,7 +226,7 @@ Compilation compilation(std::string const &database, tooling::CompileCommand con
     if (option.about == About::input && real_path(absolute(plain.directory(), option.value)) == real_path(source))
       result.source = option.value; // as __FILE__ has it
     else if (option.about == About::input && is_c_or_cxx(option.value))
-      continue; // compiled in the same run, and of another entry
+      continue; // compiled in the same run, for another entry
     else if (option.about != About::output)
       append(result.flags, option, words);
   }
@@ -236,7 +236,7 @@ Compilation compilation(std::string const &database, tooling::CompileCommand con
   return result;
 }
 
-// Entries of two targets that compile a source alike: only what they write differs.
+// Whether entries of two targets compile a source alike, except for their outputs.
 bool are_equal(Compilation const &one, Compilation const &other) {
   return one.directory == other.directory && one.compiler == other.compiler &&
          real_path(absolute(one.directory, one.source)) == real_path(absolute(other.directory, other.source)) &&

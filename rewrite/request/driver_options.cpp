@@ -64,7 +64,7 @@ constexpr Row rows[] = {
     {options::OPT_pedantic_Group, About::warnings},
 };
 
-// What Clang's table does not have, or has as many options.
+// Option prefixes that Clang's table lacks, or splits into many options.
 struct Beginning {
   std::string_view text;
   About about;
@@ -108,7 +108,7 @@ std::vector<DriverOption> driver_options(std::span<std::string const> words) {
     if (argument->getNumValues() > 0 && (is_known || option.about == About::input))
       option.value = argument->getValue(0);
     if (is_known && option.about != About::input)
-      for (char const *value : argument->getValues()) // in a word of its own, or behind the name in the same
+      for (char const *value : argument->getValues()) // in a word of its own, or joined to the name
         option.length += at + option.length < words.size() && value == pointers[at + option.length];
     if (!is_known && std::ranges::find(with_operand, words[at]) != std::end(with_operand) && at + 1 < words.size()) {
       option.value = words[at + 1];

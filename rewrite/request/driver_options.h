@@ -1,5 +1,5 @@
-// A compiler's command line in options, by the table of Clang's driver, which has gcc's options too: which words belong
-// together, and what they are about.
+// Parser of a compiler's command line into options, with their words and topics, by the table of Clang's driver, which
+// has gcc's options too.
 #pragma once
 
 #include <cstddef>

@@ -16,7 +16,7 @@ Names names_of(std::string const &path) {
   return names;
 }
 
-// Does the pattern match the path, or a directory that it lies in?
+// Whether the pattern matches the path, or a directory above it.
 bool matches_from(Names const &pattern, std::size_t p, Names const &path, std::size_t at) {
   if (p == pattern.size()) return true;
   if (pattern[p] == "**") {

@@ -32,7 +32,7 @@ void ArmWalker::expression(Expr const *expression) {
   case Stmt::UnaryExprOrTypeTraitExprClass:
   case Stmt::CXXNoexceptExprClass: return; // not evaluated
   case Stmt::CXXBindTemporaryExprClass: return block(expression->getExprLoc(), {ReasonId::destructor});
-  // What computes nothing but from its parts.
+  // Expressions that only compute from their operands.
   case Stmt::ParenExprClass:
   case Stmt::ImplicitCastExprClass:
   case Stmt::CStyleCastExprClass:
@@ -102,7 +102,7 @@ bool in_eigen(Decl const *declaration) {
   return false;
 }
 
-// Fixed arrays of numbers of the libraries: their operators do what they say.
+// Fixed arrays of numbers of known libraries: their operators compute only.
 bool is_number_array(CXXRecordDecl const *record) {
   if (in_eigen(record)) return true;
   return record->isInStdNamespace() && (record->getName() == "array" || record->getName() == "complex");

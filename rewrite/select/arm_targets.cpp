@@ -84,7 +84,7 @@ bool ArmWalker::is_own(Expr const *object) const {
     return member && function_ && isa<CXXConstructorDecl>(function_) && isa<CXXThisExpr>(member->getBase());
   }
   if (variable->getType()->isReferenceType()) return false;
-  // An element of a container that allocates is not the container's own memory, but it is nobody else's either.
+  // An element of an allocating container lies outside of the container, but does not alias other objects either.
   return own_.count(variable) != 0 || allowed_.counters.count(variable) != 0;
 }
 
@@ -99,7 +99,7 @@ Expr const *ArmWalker::without_own_indices(Expr const *target) const {
   return target ? target->IgnoreParenImpCasts() : nullptr;
 }
 
-// Does the expression lead to the same object before and after the arms?
+// Whether the expression refers to the same object before and after the arms.
 bool ArmWalker::index_is_fixed(Expr const *target) {
   Expr const *at = target->IgnoreParenImpCasts();
   while (true) {

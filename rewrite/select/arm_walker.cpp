@@ -121,7 +121,7 @@ void ArmWalker::choice(IfStmt const *choice, bool is_last) {
   bool const on_real = !choice->isConsteval() && analysis_.conditions_.classify(choice->getCond()).is_real;
   int const loops = loops_;
   if (on_real) loops_ = 0;
-  // A `return` in one is noted; what follows it there is executed and has no effect.
+  // A `return` in an arm is noted; the statements after it are executed without effect.
   statement(choice->getThen(), is_last || on_real);
   statement(choice->getElse(), is_last || on_real);
   loops_ = loops;
@@ -135,7 +135,7 @@ Arms ArmAnalysis::arms(std::vector<Stmt const *> const &statements, Allowed cons
 
 namespace {
 
-// Does a `return` stand under a condition of REALs?
+// Whether a `return` stands under a condition of REALs.
 class RealReturns : public Walk {
 public:
   explicit RealReturns(Conditions const &conditions) : conditions_(conditions) {}

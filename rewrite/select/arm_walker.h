@@ -1,5 +1,5 @@
-// The walk behind ArmAnalysis: statements in arm_walker.cpp, expressions in arm_expressions.cpp, what is assigned in
-// arm_targets.cpp. The first thing that blocks ends it.
+// Walk of ArmAnalysis: statements in arm_walker.cpp, expressions in arm_expressions.cpp, assigned targets in
+// arm_targets.cpp. The first obstacle ends it.
 #pragma once
 
 #include "rewrite/select/arms.h"

@@ -1,7 +1,7 @@
-// What the arms of a decision do: may both be executed, and what do they assign?
+// Analysis of a decision's arms: whether both may be executed, and which targets they assign.
 //
-// An arm may compute, assign REALs, and do what it likes with variables of its own. Whatever else would show outside
-// (an integer that is assigned, a jump, output, memory) blocks it.
+// An arm may compute, assign REALs, and do anything with variables of its own. Any other visible effect (an integer
+// that is assigned, a jump, output, memory) blocks it.
 #pragma once
 
 #include "rewrite/model/conditions.h"
@@ -13,17 +13,17 @@ namespace symreal::rewrite {
 
 struct Arms {
   std::optional<Blocker> blocker;
-  std::vector<std::string> targets; // what is assigned, as the source spells it, each once
+  std::vector<std::string> targets; // assigned lvalues, as the source spells them, each once
   bool returns = false;             // an arm ends in `return`
 };
 
-// What else than computing and assigning the statements may do.
+// Further effects that the statements may have, besides computing and assigning REALs.
 struct Allowed {
-  clang::FileID frame;                            // where the decision is written: its targets are spelled there
+  clang::FileID frame;                            // file or macro of the decision: its targets are spelled there
   bool returns = false;                           // as the last statement of an arm
   bool in_loop = false;                           // they are a loop's body
-  std::set<clang::Stmt const *> breaks = {};      // these `if (...) break;` are dealt with
-  std::set<clang::VarDecl const *> counters = {}; // integers that may be assigned: nobody reads them afterwards
+  std::set<clang::Stmt const *> breaks = {};      // `if (...) break;` statements that are handled
+  std::set<clang::VarDecl const *> counters = {}; // integers that may be assigned: they are dead afterwards
 };
 
 class ArmAnalysis {
@@ -36,8 +36,8 @@ public:
 
   Arms arms(std::vector<clang::Stmt const *> const &statements, Allowed const &allowed = {});
 
-  // May the whole body be executed without anything to show but the returned value?
-  // Only what comes after its first `return` on a condition of REALs counts if `after_returns`.
+  // Whether the body may be executed without visible effects other than the returned value. With `after_returns`, only
+  // the part after its first `return` on a condition of REALs counts.
   enum class Part { whole, after_returns };
   std::optional<Blocker> body(clang::FunctionDecl const *function, Part part = Part::whole);
 
@@ -46,7 +46,7 @@ public:
 
 private:
   friend class ArmWalker;
-  // Why a call of the function blocks; nothing if it does not.
+  // Reason why a call of the function blocks; nullopt if it does not.
   std::optional<Reason> call_of(clang::FunctionDecl const *function);
 
   clang::ASTContext const &context() const { return context_; }
@@ -58,7 +58,7 @@ private:
   std::map<clang::FunctionDecl const *, std::optional<Reason>> known_;
 };
 
-// Does the type consist of REALs alone, in memory of its own?
+// Whether the type consists of REALs alone, in memory of its own.
 bool only_reals(clang::QualType type, Reals const &reals);
 
 } // namespace symreal::rewrite

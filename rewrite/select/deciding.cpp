@@ -1,4 +1,4 @@
-// What a program decides on, as the source spells it: a message about a decision says it in these words.
+// Source texts of decided values, which messages about decisions quote.
 #include "rewrite/select/decision_collector.h"
 
 namespace symreal::rewrite {
@@ -28,7 +28,7 @@ void DecisionCollector::deciding(SourceLocation keyword, Expr const *value) {
 }
 
 void DecisionCollector::converting(CastExpr const *cast) {
-  // Of what is written as `(int)x` the conversion is a part that has no text.
+  // An explicit cast `(int)x` contains the conversion as a part without text.
   auto const *part = dyn_cast<ImplicitCastExpr>(cast->getSubExpr());
   CastExpr const *conversion = part && part->getCastKind() == CK_FloatingToIntegral ? part : cast;
   if (conversion->getCastKind() == CK_FloatingToIntegral)

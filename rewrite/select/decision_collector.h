@@ -1,6 +1,5 @@
-// Collects the decisions of one function after another: conditions in decisions.cpp, how the source spells what
-// it decides on in deciding.cpp, loops and the pragmas before statements in loops.cpp, functions that
-// return early in returns.cpp.
+// Collector of the decisions of one function after another: conditions in decisions.cpp, their source texts in
+// deciding.cpp, loops and the pragmas before statements in loops.cpp, early returns in returns.cpp.
 #pragma once
 
 #include "rewrite/pragma/pragma_handler.h"
@@ -27,7 +26,7 @@ public:
   void check_use_of_macro(clang::ConditionalOperator const *choice);
 
 private:
-  // A decision while it is looked at.
+  // A decision under analysis.
   struct Site {
     Span key;
     clang::FileID frame;
@@ -39,7 +38,7 @@ private:
   void accept(Site const &site, std::vector<Alteration> alterations, std::optional<Span> needs = {});
   // The condition's characters, unless something stands against any select there.
   std::optional<Span> condition_span(Site const &site, Condition const &condition);
-  // Characters from one token to another become `text`; what is left of their lines stays.
+  // Replaces the characters from one token to another by `text`; the rest of their lines stays.
   std::optional<Alteration> replacing(clang::FileID frame, clang::SourceRange range, std::string text) const;
 
   void walk(clang::Stmt const *statement);
@@ -64,7 +63,7 @@ private:
   std::optional<Span> empty_condition(clang::ForStmt const *loop) const;
   void report(DiagnosticId id, Place const &place, std::string message);
 
-  // The function's `return`s as parts of selects, or what is in the way; worked out once.
+  // The function's `return`s as parts of selects, or the obstacle to that; computed once.
   struct Returns {
     std::optional<Blocker> blocker;
     Span brace;

@@ -8,7 +8,7 @@ void DecisionCollector::function(FunctionDecl const *function) {
   returns_.reset();
   breaks_.clear();
   attach_pragmas(function->getBody());
-  if (function->isDependentContext()) return; // its instantiations tell
+  if (function->isDependentContext()) return; // its instantiations are collected
   if (auto const *constructor = dyn_cast<CXXConstructorDecl>(function))
     for (CXXCtorInitializer const *initializer : constructor->inits())
       if (initializer->isWritten()) walk(initializer->getInit());
@@ -51,7 +51,7 @@ void DecisionCollector::visit(Stmt const *statement) {
 
 std::optional<DecisionCollector::Site> DecisionCollector::site(SourceLocation token, Expr const *condition) {
   std::optional<Span> const key = map_.token(token);
-  if (!key) return std::nullopt; // pasted together, or outside the roots: nothing there can be changed or explained
+  if (!key) return std::nullopt; // pasted together, or outside the roots: it cannot be changed or explained
   return Site{*key, map_.frame(token), condition->getSourceRange()};
 }
 
@@ -163,7 +163,7 @@ bool DecisionCollector::becomes_number(ConditionalOperator const *choice) const 
   if (!choice->getType()->isIntegerType()) return false;
   auto parent = parents_.rbegin();
   Expr const *part = choice;
-  for (; parent != parents_.rend(); ++parent) { // an arm of another `?:` becomes what that becomes
+  for (; parent != parents_.rend(); ++parent) { // an arm of another `?:` has that one's use
     auto const *outer = dyn_cast<ConditionalOperator>(*parent);
     if (!isa<ParenExpr>(*parent) && !(outer && outer->getCond() != part)) break;
     part = cast<Expr>(*parent);
@@ -175,8 +175,8 @@ bool DecisionCollector::becomes_number(ConditionalOperator const *choice) const 
          (isa<BinaryOperator>(*parent) || isa<DeclStmt>(*parent) || isa<ReturnStmt>(*parent));
 }
 
-// The same conversion may stand in a macro's argument, which is expanded into the condition and into the arms.
-// `becomes_number`: the choice of which it is an arm does.
+// Whether the arm is a symbolic integer. A macro's argument may expand its conversion into the condition and the arms.
+// `becomes_number`: the enclosing `?:` is converted to a number.
 bool DecisionCollector::is_symbolic_integer(Expr const *arm, bool becomes_number) const {
   if (!arm->getType()->isIntegerType() || arm->isTypeDependent()) return false;
   if (auto const *inner = dyn_cast<ConditionalOperator>(Reals::spelled_integer(arm))) { // as choose_value has it

@@ -153,7 +153,7 @@ void DecisionCollector::bound_loop(PragmaFact &pragma, Stmt const *loop, Compoun
   std::optional<LoopParts> const loop_parts = parts(loop);
   if (!loop_parts) return wrong("no loop follows this pragma");
   analysis_.bounded_loops.insert(loop);
-  if (function_->isDependentContext()) return; // its instantiations tell
+  if (function_->isDependentContext()) return; // its instantiations are collected
   LoopParts const &part = *loop_parts;
   if (auto const *declaration = dyn_cast_or_null<DeclStmt>(part.init))
     for (Decl const *declared : declaration->decls())

@@ -23,7 +23,7 @@ bool changes_arithmetic(llvm::StringRef option) {
          option == "fpmath=both";
 }
 
-// A string literal of options without those; nothing if none are among them. `neutral` stands for an empty list.
+// A string literal of options without those; nullopt if no option is removed. `neutral` stands for an empty list.
 std::optional<std::string> without_them(llvm::StringRef literal, char const *neutral) {
   if (!literal.consume_front("\"") || !literal.consume_back("\"")) return std::nullopt;
   llvm::SmallVector<llvm::StringRef> words;
@@ -35,7 +35,7 @@ std::optional<std::string> without_them(llvm::StringRef literal, char const *neu
   return "\"" + (rest.empty() ? neutral : rest) + "\"";
 }
 
-// The text that replaces a pragma; nothing if it may stay. Most compilers drop those that they do not know.
+// Replacement of a pragma; nullopt if it may stay. Most compilers ignore pragmas that they do not know.
 std::optional<std::string> instead_of(llvm::StringRef pragma) {
   auto const [space, rest] = pragma.split(' ');
   bool changes = false;
@@ -70,7 +70,7 @@ llvm::StringRef name_of(Token const &token) {
   return token.is(tok::identifier) ? token.getIdentifierInfo()->getName() : llvm::StringRef();
 }
 
-// It is left out where its text stands in the roots.
+// Removes the text, or reports it if it stands outside of the roots.
 void note(Facts &facts, std::optional<Span> const &span, ArithmeticFact fact, Place place, std::string const &what) {
   if (!span)
     return add_diagnostic(facts, {DiagnosticId::arithmetic_stays, std::move(place),
@@ -84,7 +84,7 @@ class Watch : public PPCallbacks {
 public:
   Watch(SourceMap const &map, Facts &facts) : map_(map), facts_(facts) {}
 
-  // It is parsed elsewhere, if the compiler knows it at all: here the text says enough.
+  // Whether the compiler knows the pragma or not, its text suffices here.
   void PragmaDirective(SourceLocation location, PragmaIntroducerKind kind) override {
     if (map_.is_argument_of(location, "REAL_EITHER")) return;
     auto const [file, offset] = map_.sources().getDecomposedSpellingLoc(location);
@@ -95,7 +95,7 @@ public:
       operation(text, offset, location);
   }
 
-  // Clang may skip what the program's own compiler takes: it does not know all of these.
+  // Clang may skip text that the program's own compiler takes: it does not know all attributes.
   void SourceRangeSkipped(SourceRange range, SourceLocation) override {
     if (!map_.in_roots(range.getBegin())) return;
     SourceManager const &sources = map_.sources();

@@ -1,5 +1,5 @@
-// Text by which a source tells the compiler about the arithmetic of its functions: optimize("fast-math") in an
-// attribute, #pragma STDC FP_CONTRACT ON. As with the flags of this kind, the reference build is without them.
+// Source text that changes the arithmetic of functions: optimize("fast-math") in an attribute, #pragma STDC FP_CONTRACT
+// ON. It is removed from the reference build as well, like flags of this kind.
 #pragma once
 
 #include "rewrite/facts/facts.h"
@@ -12,7 +12,7 @@ namespace symreal::rewrite {
 
 std::unique_ptr<clang::PPCallbacks> make_arithmetic_pragma_watch(SourceMap const &map, Facts &facts);
 
-// Clang's parser drops what only gcc knows, so the attributes are seen in the tokens, in their order.
+// Reader of attributes from the tokens, in their order: Clang's parser drops those that only gcc knows.
 class ArithmeticAttributes {
 public:
   ArithmeticAttributes(SourceMap const &map, Facts &facts) : map_(map), facts_(facts) {}

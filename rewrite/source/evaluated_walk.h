@@ -1,4 +1,4 @@
-// A walk over what evaluating an expression or a statement computes: no operands of sizeof, no bodies of lambdas.
+// Walk over the evaluated parts of an expression or a statement, without operands of sizeof and bodies of lambdas.
 #pragma once
 
 #include "rewrite/source/clang.h"

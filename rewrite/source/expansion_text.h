@@ -15,14 +15,14 @@ class ExpansionText {
 public:
   explicit ExpansionText(SourceMap const &map) : map_(map) {}
 
-  // The outermost invocation around the location is wanted, or that in an argument of one; for the words that it makes,
-  // or for the strings.
+  // Requests the expansion of the outermost invocation around the location, or in an argument of one: for its tokens,
+  // or for its string literals.
   enum class For : unsigned char { words, strings };
   void want(clang::SourceLocation location, For what);
-  // Every token that reaches the parser.
+  // Receives every token that reaches the parser.
   void token(clang::Token const &token);
-  // Each becomes a use. One that makes more than strings is left as it is if it is wanted for them: names in it may be
-  // rewritten, and what a string says of a type is hardly ever more than printed.
+  // Turns each request into a use. An expansion wanted for strings that makes other tokens stays: its names may be
+  // rewritten, and a type's name in a string is hardly ever more than printed.
   void collect(Facts &facts);
 
 private:

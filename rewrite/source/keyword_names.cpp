@@ -21,7 +21,7 @@ bool is_renamed(llvm::StringRef name) {
 void note_keyword_name(Token const &token, SourceMap const &map, Facts &facts) {
   llvm::StringRef const name = token.getIdentifierInfo()->getName();
   if (!is_renamed(name) || map.is_argument_of(token.getLocation(), "REAL_NAME")) return;
-  // What a macro pasted together stands nowhere; the declaration is reported.
+  // A name that a macro pasted together has no place in a file; its declaration is reported.
   if (std::optional<Span> const span = map.token(token.getLocation(), name))
     facts.wraps.insert({*span, Use::name, name.str()});
 }

@@ -10,7 +10,7 @@ namespace symreal::rewrite {
 
 bool is_keyword_of_cpp(llvm::StringRef name);
 
-// Can a token of this name be renamed? Not what a header of the system declares for C.
+// Whether a token of this name can be renamed. Names that a system header declares for C cannot.
 bool is_renamed(llvm::StringRef name);
 
 // Notes a token of a C source that must be renamed.

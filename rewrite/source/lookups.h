@@ -1,8 +1,8 @@
-// What a reading asked the disk, and what the disk said: the same questions must get the same answers before what the
-// reading found can be taken for what it would find now.
+// Record of a reading's questions to the disk, with the answers: facts may be reused only if the same questions still
+// get the same answers.
 //
-// Clang sees the disk through a file system of ours, so nothing is left out: files that are not there (a header in a
-// directory that is searched earlier), directories, links, what Clang's driver looks for.
+// Clang sees the disk through this file system, so the record is complete: missing files (a header in a directory that
+// is searched earlier), directories, links, look-ups of Clang's driver.
 #pragma once
 
 #include "rewrite/source/clang.h"
@@ -15,16 +15,16 @@
 
 namespace symreal::rewrite {
 
-// A question, asked of an absolute path, begins with a letter: s(tatus), t(ext), l(isting), r(eal path). The answer is
-// empty for a text that was opened and never read.
+// Questions and answers. A question is a letter and an absolute path: s(tatus), t(ext), l(isting), r(eal path). The
+// answer is empty for a text that was opened and never read.
 using Lookups = std::map<std::string, std::string>;
 
 using FileSystem = llvm::IntrusiveRefCntPtr<llvm::vfs::FileSystem>;
 
-// The disk, with a working directory of its own; writes down all that is asked. One thread uses it.
+// The disk, with a working directory of its own; records all questions. Not thread-safe.
 FileSystem watched_disk(Lookups &lookups);
 
-// What the disk says now. Each question is asked once; several threads may.
+// The disk's present answers. Each question is asked once; thread-safe.
 class DiskNow {
 public:
   bool still_answers(Lookups const &lookups);
@@ -36,7 +36,7 @@ private:
   std::map<std::string, std::string> answers_;
 };
 
-// What the contents of a file are known by.
+// Content hash that identifies a text.
 std::string content_id(llvm::StringRef text);
 
 } // namespace symreal::rewrite

@@ -48,7 +48,7 @@ private:
     if (std::optional<Span> const span = map_.range(outermost.getAsRange())) facts_.text_calls.insert(*span);
   }
 
-  // Did the expansion of a macro, in an argument that has been handed down, yield this token?
+  // Whether the token comes from a macro's expansion within a forwarded argument.
   bool is_from_body(SourceLocation location) const {
     SourceManager const &sources = map_.sources();
     bool handed_down = false;

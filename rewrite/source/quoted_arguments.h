@@ -1,7 +1,7 @@
-// Notes which arguments of macros become text (#parameter) or part of a pasted token (parameter ## ...).
+// Collection of macro arguments that become text (#parameter) or part of a pasted token (parameter ## ...).
 //
-// An argument in which another macro was expanded first is no text of the file: there the spelling comes from that
-// macro's body, which has other uses, and may become REAL. What the outermost macro expands to is noted instead.
+// An argument in which another macro was expanded first takes its text from that macro's body, which has other uses,
+// and may become REAL. The expansion of the outermost macro is noted instead.
 #pragma once
 
 #include "rewrite/facts/facts.h"

@@ -1,4 +1,4 @@
-// What code refers to: functions, variables that outlive a call, and the tables of classes with virtual functions.
+// References from code: functions, variables that outlive a call, and tables of classes with virtual functions.
 #pragma once
 
 #include "rewrite/source/clang.h"
@@ -14,7 +14,8 @@ public:
   using Place = clang::SourceLocation;
   std::vector<std::pair<clang::FunctionDecl const *, Place>> functions;
   std::vector<clang::VarDecl const *> variables;
-  std::vector<std::pair<clang::CXXRecordDecl const *, Place>> tables; // an object is made, or its class asked for
+  std::vector<std::pair<clang::CXXRecordDecl const *, Place>>
+      tables; // constructions and class queries, which use the virtual table
 
   void of(clang::FunctionDecl const *definition) {
     TraverseStmt(definition->getBody());

@@ -67,7 +67,7 @@ std::string SourceMap::compiled_name(llvm::StringRef name) const {
   return name.str();
 }
 
-// To Clang a line that is continued belongs to the token at the beginning of the next.
+// Clang counts a line continuation as part of the token at the beginning of the next line.
 static unsigned behind_continuations(llvm::StringRef text, unsigned at) {
   while (text.substr(at).starts_with("\\")) {
     std::size_t const next = text.find_first_not_of(" \t\r", at + 1);
@@ -134,8 +134,8 @@ std::optional<Span> SourceMap::range(clang::SourceRange range) const {
   return characters(sources_.getSpellingLoc(begin), last.getLocWithOffset(static_cast<int>(length)));
 }
 
-// Where one end is an argument and the other stands in the macro's body, the body names the parameter; where one is
-// what a macro expands to, the body names the macro.
+// Range of tokens in one file for both ends: a parameter's name stands for an argument, a macro's name for its
+// expansion, in the body that contains them.
 std::optional<clang::SourceRange> SourceMap::words_for(clang::SourceLocation begin, clang::SourceLocation end) const {
   llvm::SmallVector<clang::SourceLocation, 8> const firsts = standing_for(begin, Side::begin);
   llvm::SmallVector<clang::SourceLocation, 8> const lasts = standing_for(end, Side::end);
@@ -145,7 +145,7 @@ std::optional<clang::SourceRange> SourceMap::words_for(clang::SourceLocation beg
   return std::nullopt;
 }
 
-// This location, then that of each parameter or macro whose expansion begins (or ends) with it.
+// The location, then that of each parameter or macro whose expansion begins (or ends) with it.
 llvm::SmallVector<clang::SourceLocation, 8> SourceMap::standing_for(clang::SourceLocation location, Side side) const {
   llvm::SmallVector<clang::SourceLocation, 8> all = {location};
   while (location.isMacroID()) {
@@ -198,7 +198,7 @@ clang::FileID SourceMap::frame(clang::SourceLocation location) const {
   return sources_.getFileID(location);
 }
 
-// The location in the frame that stands for this one, or an invalid one.
+// The frame's location for this one, or an invalid one.
 clang::SourceLocation SourceMap::climb(clang::FileID frame, clang::SourceLocation location, Side side) const {
   while (location.isMacroID() && sources_.getFileID(location) != frame) {
     if (!sources_.isMacroArgExpansion(location)) return {};

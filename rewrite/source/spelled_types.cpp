@@ -42,7 +42,7 @@ public:
 
 private:
   std::string spelling() const { return text_.substr(begin_, end_ - begin_); }
-  // Without the line breaks that a backslash hides.
+  // The word without line continuations.
   std::string cleaned() const {
     std::string word;
     for (char c : spelling())
@@ -75,7 +75,7 @@ private:
       found.is_float = word == "float";
       found.is_long = before_ == "long";
       found.within = within_;
-      // Behind the name of a macro stands its body; the name itself is no type.
+      // A macro's body follows its name; the name itself does not spell a type.
       bool const is_body = directive_ == "define" && name_ != word;
       if (in_directive_) found.where = is_body ? SpelledType::Where::macro : SpelledType::Where::directive;
       if (in_directive_) found.name = is_body ? name_ : "#" + directive_;

@@ -48,7 +48,7 @@ private:
   Facts &facts_;
 };
 
-// Where a macro is defined, and where it matters that none is.
+// Notes macro names at their definitions, and where the program tests that they are undefined.
 class MacroNames : public PPCallbacks {
 public:
   explicit MacroNames(Names const &names) : names_(names) {}

@@ -46,7 +46,7 @@ public:
 #undef ENTERED_NODE
 #undef ENTERED_TYPE
 
-  // Look at a node; false ends the walk. They are called for each class of the node, from the root of the hierarchy on.
+  // Visitors of a node; false ends the walk. Called for each class of the node, from the root of the hierarchy on.
 #define STMT(CLASS, PARENT) virtual bool Visit##CLASS(clang::CLASS *);
 #include <clang/AST/StmtNodes.inc>
 #define DECL(CLASS, PARENT) virtual bool Visit##CLASS##Decl(clang::CLASS##Decl *);

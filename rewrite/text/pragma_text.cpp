@@ -27,7 +27,7 @@ std::string annotation(Clause clause, ItemFact const &item) {
          with_real(evaluated(item)) + ")";
 }
 
-// The program's own copy of what a pointer to const points to takes its place before the kernel writes nodes there.
+// A private copy of a pointer-to-const's target replaces it before the kernel writes nodes there.
 std::string rebinding(ClauseFact const &clause, ItemFact const &item) {
   if (!info(clause.clause).has(trait::GIVEN) || item.base_kind != Base::pointer_to_const) return "";
   if (is_pointee(item)) return "SYMREAL_REBIND(" + item.label.substr(1) + ", 0, 1) ";
@@ -36,7 +36,7 @@ std::string rebinding(ClauseFact const &clause, ItemFact const &item) {
          with_real(item.sections[0].low) + ", " + with_real(item.sections[0].length) + ") ";
 }
 
-// A parameter that ends what one of these pointers begins goes along.
+// A parameter that ends a range which one of these pointers begins moves along.
 std::string rebound_ends(FunctionFact const &function, std::string const &entry) {
   std::set<std::string> ends;
   for (Baked const &baked : function.signature.redefinition.baked)
@@ -160,7 +160,7 @@ std::string function_text(PragmaFact const &pragma) {
                   value.name)
           .append(") ");
   text += leads_text(pragma.function[0].leads);
-  // Also where `return` is the only output: it ends the annotations of the function's entry.
+  // Needed even if `return` is the only output: it ends the annotations of the function's entry.
   return text + "SYMREAL_OUTPUTS_BEGIN " + exit + "SYMREAL_OUTPUTS_END";
 }
 

@@ -1,4 +1,4 @@
-// What pragmas become.
+// Texts that replace pragmas.
 #pragma once
 
 #include "rewrite/facts/facts.h"
@@ -8,25 +8,25 @@
 
 namespace symreal::rewrite {
 
-// `"label", "file", line, column`: what every annotation macro begins with.
+// First arguments of every annotation macro: `"label", "file", line, column`.
 std::string place_arguments(std::string const &label, Place const &place);
 
-// What an annotation evaluates: the item's expression, with tests of its indices.
+// Expression that an annotation evaluates: the item's, with tests of its indices.
 std::string const &evaluated(ItemFact const &item);
 
-// `*p`, all that p points to.
+// Whether the item is `*p`, all that p points to.
 bool is_pointee(ItemFact const &item);
 
-// `scratch(file)`: the static variables of the pragma's file. A variable of that name is meant by scratch((file)).
+// Whether the item is `scratch(file)`: the static variables of the pragma's file. scratch((file)) names a variable.
 bool means_file(Clause clause, ItemFact const &item);
 
-// `"layout", (types)`: what the annotation macros of structures take besides.
+// Further arguments of the annotation macros of structures: `"layout", (types)`.
 std::string layout_arguments(ObjectLayout const &layout);
 
 // The annotations of a region pragma, on one line.
 std::string region_text(PragmaFact const &pragma);
 
-// What stands right after the brace of a function with a pragma.
+// Text to insert after the opening brace of a function with a pragma.
 std::string function_text(PragmaFact const &pragma);
 
 } // namespace symreal::rewrite

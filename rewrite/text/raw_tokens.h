@@ -1,4 +1,4 @@
-// C and C++ as text, in tokens: by Clang's raw lexer, which needs no parser and no source manager.
+// Tokens of C and C++ text, from Clang's raw lexer, which needs no parser and no source manager.
 #pragma once
 
 #include <cstddef>
@@ -12,10 +12,10 @@ struct RawToken {
   enum class Kind : unsigned char { word, literal, comment, other }; // a literal: text, a character, a number
   Kind kind;
   std::size_t begin, end; // in the text
-  bool begins_line;       // of the tokens in it, comments aside, it is the first
+  bool begins_line;       // the first token of its line, comments aside
 };
 
-// Those from `begin` on, as long as the function is true.
+// Calls `take` for each token from `begin` on, until it returns false.
 void for_raw_tokens(std::string const &text, std::size_t begin, std::function<bool(RawToken const &)> const &take);
 std::vector<RawToken> raw_tokens(std::string const &text);
 

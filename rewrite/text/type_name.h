@@ -1,8 +1,8 @@
-// How the rewritten text spells the number and the macros around it.
+// Spelling of the number type and its macros in the rewritten text.
 //
-// The rewriter writes its own words in their long form, SYMREAL_REAL and SYMREAL_REAL_VALUE(...), which no source has.
-// Only in the end they get the name that was asked for, or the usual one where it is free: REAL and REAL_VALUE(...).
-// Under any other name the macros keep their long form.
+// The rewriter writes the long forms, SYMREAL_REAL and SYMREAL_REAL_VALUE(...), which sources do not contain. The last
+// step replaces them by the requested name, or by the usual one if it is free: REAL and REAL_VALUE(...). Under any
+// other name the macros keep their long form.
 #pragma once
 
 #include "rewrite/facts/facts.h"
@@ -12,7 +12,7 @@
 
 namespace symreal::rewrite {
 
-// The name to use; reports what takes a name that was asked for, and names that are ours alone.
+// Selects the name to use; reports a requested name that is taken, and uses of reserved names.
 std::string choose_type_name(Request const &request, Facts const &facts, std::vector<Diagnostic> &diagnostics);
 
 // The text with the long forms in it replaced.

@@ -46,12 +46,12 @@ QualType without_const(ASTContext &context, QualType type) {
   return type.getUnqualifiedType();
 }
 
-// Types of which a program cannot declare an object: functions, text and unknown ones.
+// Whether a program cannot declare an object of the type: functions, text and unknown types.
 bool is_opaque(QualType type) {
   return type->isFunctionType() || type->isVoidType() || type->isIncompleteType() || type->isAnyCharacterType();
 }
 
-// Numbers, arrays of them element by element, and what has elements, which is filled as a whole.
+// Public members: numbers, arrays of them element by element, and containers, which are filled as a whole.
 class PublicMembers {
 public:
   explicit PublicMembers(ASTContext &context) : context_(context) {}
@@ -128,7 +128,7 @@ class Describer {
 public:
   Describer(ASTContext &context, SourceMap const &map) : context_(context), map_(map) {}
 
-  // `definition`: of an instance of a template what it is made of, else the function itself.
+  // `definition`: the pattern of a template's instance, else the function itself.
   Callable describe(FunctionDecl const *function, FunctionDecl const *definition) const {
     Callable result;
     result.name = function->getNameAsString();
@@ -263,7 +263,7 @@ public:
     return true;
   }
 
-  // Of the variable that takes the address of an instance.
+  // Finds the instance whose address initialises the inserted variable.
   bool VisitVarDecl(VarDecl *variable) override {
     if (!variable->getIdentifier() || variable->getName() != address_variable || !variable->getInit()) return true;
     Expr const *const address = variable->getInit()->IgnoreParenImpCasts();
@@ -320,7 +320,7 @@ private:
 
 } // namespace
 
-// What the source has.
+// Callables with this name in one source.
 static std::vector<Callable> callables_of(Compilation const &source, Request const &request, std::string const &name) {
   std::vector<Callable> found;
   IgnoringDiagConsumer ignore;

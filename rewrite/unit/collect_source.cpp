@@ -25,7 +25,7 @@ struct CompilerError {
   std::string message;
   Place place;
   std::optional<Span> token;
-  std::vector<Note> notes;             // macros and instantiations that led there, what else the compiler says to it
+  std::vector<Note> notes;             // enclosing macros and instantiations, further notes of the compiler
   unsigned id = 0;                     // Clang's
   std::vector<std::string> names = {}; // and options that it is about
 };
@@ -97,12 +97,12 @@ private:
   LangOptions language_;
 };
 
-// What the readings of one source have in common.
+// Settings shared by all readings of one source.
 struct Settings {
   Scope const &scope;
   Request const &request;
   bool ask_compiler;     // about the items of pragmas
-  std::string type_name; // that must be free, if any
+  std::string type_name; // must be unused in the sources, if set
   std::string source;    // its real path
 };
 
@@ -141,7 +141,8 @@ private:
     for (auto at = search.search_dir_begin(); at != search.search_dir_end(); ++at) {
       if (!at->isNormalDir()) continue;
       llvm::SmallString<256> absolute(at->getName());
-      if (compiler_.getFileManager().getVirtualFileSystem().makeAbsolute(absolute)) continue; // there is no such place
+      if (compiler_.getFileManager().getVirtualFileSystem().makeAbsolute(absolute))
+        continue; // the directory does not exist
       std::string const name = absolute.str().str();
       std::vector<std::string> &known = facts_.include_dirs;
       if (std::find(known.begin(), known.end(), name) == known.end()) known.push_back(name);
@@ -188,7 +189,7 @@ void read_serially(std::vector<std::string> &words) {
 
 } // namespace
 
-// The compiler's command line without what only concerns its outputs.
+// The compiler's command line without options that only concern its outputs.
 std::vector<std::string> command_line(Compilation const &compilation) {
   std::string const resources = "-resource-dir=" SYMREAL_CLANG_RESOURCES;
   std::vector<std::string> words = {
@@ -230,8 +231,8 @@ void report_pragma_errors(std::vector<CompilerError> const &errors, Facts &facts
   }
 }
 
-// Options that only the user's own compiler knows, or values of them, say nothing about the source: those that Clang
-// names in its complaints about the command line are left out. Was there one?
+// Removes options that Clang rejects, or their values: those that only the user's own compiler knows do not affect the
+// source. Returns whether there was one.
 bool leave_out_options(std::vector<CompilerError> const &errors, std::vector<std::string> &flags) {
   std::size_t const before = flags.size();
   for (CompilerError const &error : errors) {
@@ -245,8 +246,8 @@ bool leave_out_options(std::vector<CompilerError> const &errors, std::vector<std
   return flags.size() != before;
 }
 
-// A variable may have the name of a function that the compiler knows without any header; Clang has it for a
-// redefinition. Was there one?
+// Disables builtins that a variable redefines: the compiler knows such functions without a header. Returns whether
+// there was one.
 bool forget_builtins(std::vector<CompilerError> const &errors, std::vector<std::string> &flags) {
   std::size_t const before = flags.size();
   for (CompilerError const &error : errors) {
@@ -310,7 +311,7 @@ Facts collect_source(Compilation const &compilation, Scope const &scope, Request
   Settings settings{scope, request, true, request.type_name, real_source(compilation)};
   auto [facts, errors] = parse(compilation, files, settings);
   if (names_real(errors, request.type_name)) {
-    // Rewritten before: with the header that says what REAL is it compiles as it did.
+    // Already rewritten: it compiles as before with the header that defines REAL.
     settings.type_name.clear();
     for (std::string const &name : {std::string(usual_type_name), request.type_name, std::string(reserved_type_name)}) {
       if (name.empty()) continue;
@@ -321,7 +322,7 @@ Facts collect_source(Compilation const &compilation, Scope const &scope, Request
   }
   if (errors.empty()) return std::move(facts);
   facts.broken = true;
-  // Are the errors the source's own, or do they come from what its pragmas put in?
+  // Errors without the pragmas' statements are the source's own.
   Settings const bare{scope, request, false, request.type_name, settings.source};
   std::vector<CompilerError> const own = facts.pragmas.empty() ? errors : parse(compilation, files, bare).errors;
   for (CompilerError const &error : own)

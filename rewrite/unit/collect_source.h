@@ -1,4 +1,4 @@
-// Reads one source with Clang.
+// Reading of one source with Clang.
 #pragma once
 
 #include "rewrite/facts/facts.h"
@@ -9,19 +9,19 @@ namespace symreal::rewrite {
 
 struct Scope;
 
-// A file system that other threads do not change: each has a working directory of its own.
+// The disk for one thread: each has a working directory of its own.
 FileSystem own_disk();
 
-// What the source's compiler sees: the disk, the request's texts, and the directory in which it runs. Throws where that
-// or the source does not exist.
+// File system of the source's compiler: the disk, the request's texts, and the directory in which it runs. Throws if
+// that or the source does not exist.
 FileSystem file_system(Compilation const &compilation, Request const &request, FileSystem const &disk);
 
-// Facts::broken says that it does not compile. Throws DiagnosticError where it cannot be read. Several may be read at
-// once, in threads, each with a disk of its own.
+// Collects the facts of a source; Facts::broken if it does not compile. Throws DiagnosticError if it cannot be read.
+// Several threads may read at once, each with a disk of its own.
 Facts collect_source(Compilation const &compilation, Scope const &scope, Request const &request,
                      FileSystem const &disk);
 
-// The words with which Clang is asked to read it.
+// Command line with which Clang reads the source.
 std::vector<std::string> command_line(Compilation const &compilation);
 
 } // namespace symreal::rewrite

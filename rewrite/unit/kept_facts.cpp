@@ -17,12 +17,12 @@
 
 namespace symreal::rewrite {
 
-// What is kept of a source.
+// Cached facts of a source.
 struct KeptSource {
   Lookups lookups;
   std::set<std::string> kernel_functions;
   std::string configured;
-  std::map<std::string, std::string> texts; // the ids of those that the facts have
+  std::map<std::string, std::string> texts; // ids of the files' texts in the facts
   std::string facts;
 };
 
@@ -33,7 +33,7 @@ template <class Take> void visit(Take &take, KeptSource &object) {
 
 namespace {
 
-// Those that Clang 19's driver and preprocessor read, and that say something about what is compiled.
+// Environment variables that Clang 19's driver and preprocessor read, and that affect what is compiled.
 constexpr char const *variables[] = {"CPATH",
                                      "C_INCLUDE_PATH",
                                      "CPLUS_INCLUDE_PATH",

@@ -1,16 +1,16 @@
-// The facts of a source that an earlier run has read, if reading it would give the same now.
+// Cache of facts from earlier runs, valid while reading the source would give the same facts.
 //
-// What reading gives depends on
+// Facts depend on
 // - the tool and Clang: the build identities of the program and of all that it is loaded with;
 // - the compilation: the words of its command line, the directories of the compiler and of this process;
 // - the environment variables that Clang's driver reads;
-// - what may be rewritten (roots, exclusions), the name of the number, the external functions of the configuration.
-//   All of these are the key of what is kept;
-// - everything that was asked of the disk, files that are not there included (lookups.h);
+// - the files that may be rewritten (roots, exclusions), the number's name, the configuration's external functions.
+//   All of these form the key of an entry;
+// - all questions to the disk, those for missing files included (lookups.h);
 // - the kernels of the configuration, as far as this source defines a function of that name.
 //   These are kept with the facts, and must be the same as well.
 // The texts of the files within the roots are not kept: they are read again, and are known to be the same by then.
-// What depends on the time of the day (__DATE__) is not kept.
+// Facts that depend on the time of the day (__DATE__) are not kept.
 #pragma once
 
 #include "rewrite/facts/facts.h"
@@ -29,7 +29,7 @@ class KeptFacts {
 public:
   KeptFacts(Request const &request, Scope const &scope) : request_(request), scope_(scope) {}
 
-  // As collect_source. Several threads.
+  // Cached or fresh facts, as collect_source. Thread-safe.
   Facts collect(Compilation const &source);
 
   std::size_t read() const { return read_; }
@@ -38,7 +38,7 @@ public:
 
 private:
   std::string key(Compilation const &source) const;
-  // The configured kernels that name one of these functions, in full.
+  // Texts of the configured kernels that name one of these functions.
   std::string configured(std::set<std::string> const &functions) const;
   std::optional<Facts> find(std::string const &key);
   void keep(std::string const &key, Lookups const &lookups, Facts const &facts);

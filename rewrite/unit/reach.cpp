@@ -16,7 +16,7 @@ namespace {
 using namespace clang;
 using Key = std::string; // the same in all sources
 
-// What the body of one function says.
+// References from the body of one function.
 struct Body {
   ReachedFunction function;
   std::set<Key> callees;
@@ -80,7 +80,7 @@ public:
     if (body_) calls(construction->getConstructor());
     return true;
   }
-  // A function that is named without being called may be called by whoever gets it.
+  // A function that is named without being called escapes, and may be called.
   bool VisitDeclRefExpr(DeclRefExpr *name) override {
     if (!body_) return true;
     if (auto const *function = dyn_cast<FunctionDecl>(name->getDecl())) calls(function);
@@ -111,7 +111,7 @@ public:
 
 private:
   template <class Traverse> bool within(FunctionDecl *function, Traverse const &traverse) {
-    if (function->isDependentContext()) return true; // its instantiations tell
+    if (function->isDependentContext()) return true; // its instantiations are walked
     Body *const outer = body_;
     if (function->doesThisDeclarationHaveABody() && !isa_and_nonnull<CXXRecordDecl>(lambda_of(function))) {
       body_ = &known_.bodies[key_of(function->getCanonicalDecl())];
@@ -202,7 +202,7 @@ private:
   Known &known_;
 };
 
-// What is wrong with the sources is told elsewhere.
+// Errors of the source are ignored: the rewriter reports them.
 void read(Compilation const &source, Known &known) {
   IntrusiveRefCntPtr<llvm::vfs::FileSystem> const disk(llvm::vfs::createPhysicalFileSystem().release());
   if (!source.directory.empty() && disk->setCurrentWorkingDirectory(source.directory)) return;

@@ -20,7 +20,7 @@ std::set<std::string> words_of(std::string const &text) {
   return words;
 }
 
-constexpr char const *at_start = ""; // what each source runs at the program's start
+constexpr char const *at_start = ""; // code that each source runs at the program's start
 
 class Search {
 public:
@@ -53,7 +53,7 @@ private:
     }
   }
 
-  // Those that are not read yet.
+  // Adds the unread sources whose text contains the word.
   void with_word(std::string const &word, std::set<std::size_t> &sources) {
     if (!texts_read_) {
       for (std::size_t k = 0; k < candidates_.names.size(); ++k)

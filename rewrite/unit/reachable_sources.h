@@ -1,5 +1,5 @@
-// Which sources a program consists of: those that define what its start reaches, from symbol to symbol, as a linker
-// finds them. Of the others most need not be read: a source that defines a function has its name in its text.
+// Sources of a program: those that define what its start reaches, from symbol to symbol, as a linker finds them. Most
+// others need not be read: a source that defines a function has its name in its text.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +16,7 @@ struct SourceLinks {
   std::map<std::string, std::string> words;           // as Facts::linked_words
 };
 
-// Sources that can be asked for, each by its number.
+// Available sources, each with its number.
 struct Candidates {
   std::vector<std::string> names; // of all, for diagnostics
   std::function<std::string(std::size_t)> text;
@@ -25,10 +25,10 @@ struct Candidates {
 
 struct ReachableSources {
   std::set<std::size_t> sources;
-  std::set<std::string> symbols; // that are reached, defined there or not
+  std::set<std::string> symbols; // reached symbols, with or without a definition
 };
 
-// Throws bad_option where several sources define what is reached, and no one of them is among `begin`.
+// Throws bad_option if several sources define a reached symbol, and none of those sources is in `begin`.
 ReachableSources reachable_sources(Candidates const &candidates, std::set<std::size_t> const &begin);
 
 } // namespace symreal::rewrite

@@ -91,7 +91,7 @@ void compare_choices(Choices const &original, std::vector<Compilation> const &as
   std::set<std::string> told; // places
   for (auto const &[key, choice] : rewritten_ones) {
     auto const found = original.find(key);
-    if (found == original.end()) continue; // what leads there is another choice
+    if (found == original.end()) continue; // an earlier choice leads there
     Choice const &before = found->second;
     if (before.results == choice.results || !told.insert(to_string(before.place)).second) continue;
     result.diagnostics.push_back({DiagnosticId::rewriting_mismatch, before.place,

@@ -1,5 +1,5 @@
-// Reads a source that asks about types again, as the symbolic program's compiler will see it, and compares what the
-// language chooses there with what it has chosen in the original.
+// Check of the language's choices: reads a source that asks about types again, as the symbolic program's compiler will
+// see it, and compares its choices with those in the original.
 #pragma once
 
 #include "rewrite/facts/facts.h"
@@ -8,7 +8,7 @@ namespace symreal::rewrite {
 
 struct Scope;
 
-// Each choice that is another one in the symbolic program becomes a diagnostic. What does not compile says nothing.
+// Reports each choice that differs in the symbolic program. A source that does not compile reports nothing.
 void compare_choices(Choices const &original, std::vector<Compilation> const &asking, Scope const &scope,
                      Request const &request, Result &result);
 

@@ -1,4 +1,4 @@
-// Which tool this is, down to the bytes of its code.
+// Identity of this tool, down to the bytes of its code.
 #pragma once
 
 #include <string>

@@ -271,7 +271,7 @@ public:
     return true;
   }
 
-  // Of an expression that is a statement, nobody uses the value.
+  // The value of an expression statement is unused.
   bool VisitStmt(Stmt *statement) override {
     collect_.discarded(statement, function_);
     return true;

@@ -1,4 +1,4 @@
-// Walks the syntax tree of one source and collects the facts about what stands in the roots.
+// Walk of one source's syntax tree that collects facts about the roots.
 #pragma once
 
 #include "rewrite/facts/facts.h"

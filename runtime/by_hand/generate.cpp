@@ -14,7 +14,7 @@
 
 namespace symreal::trace {
 
-// As --frozen would decide, which is $SYMREAL_FROZEN here.
+// Applies $SYMREAL_FROZEN, the counterpart of --frozen.
 static void report_frozen(Graph const &graph) {
   char const *wanted = std::getenv("SYMREAL_FROZEN");
   std::string const policy = wanted ? wanted : "state";
@@ -25,7 +25,7 @@ static void report_frozen(Graph const &graph) {
 
 void generate_here(Graph const &graph, std::string const &output_file) {
   report_frozen(graph);
-  if (anything_wrong()) give_up(); // what is wrong is printed; nothing is generated
+  if (anything_wrong()) give_up(); // errors are printed already
   std::vector<std::string> const passes = default_passes();
   Graph const wanted = differentiate(graph, graph.wishes, [](Diagnostic const &warning) { report(warning); });
   std::filesystem::path const path = output_file.empty() ? graph.kernel + ".c" : output_file;

@@ -32,7 +32,7 @@ struct Met {
   bool is_read_first, is_written, is_named;
 };
 
-// All that the handlers touch lies here or in memory of its own: a page of it must not be a protected one.
+// State of the handlers, in pages of its own: none of them may be a protected one.
 struct alignas(page_size) Watch {
   Page *pages;
   std::size_t page_count;

@@ -1,10 +1,10 @@
-// Which bytes of given memory a piece of a program reads before it writes them, and which it writes, whatever
-// instruction does it: compiled code of others, atomic operations, inline assembly, the C library.
+// Watch on accesses to given memory: bytes that a piece of a program reads before it writes them, and bytes that it
+// writes, by any instruction: compiled code of others, atomic operations, inline assembly, the C library.
 //
 // The pages of that memory are protected. An access raises SIGSEGV; the handler notes its address, opens the page, and
 // lets the processor carry out the one instruction (SIGTRAP), behind which the page is closed again. An access is known
-// by its first byte in a page alone. A system call that is given such memory fails with EFAULT, so what is watched
-// should be a fork.
+// by its first byte in a page alone. A system call on such memory fails with EFAULT, so the watched process should be a
+// fork.
 //
 // Linux on x86-64 only.
 #pragma once

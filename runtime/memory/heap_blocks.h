@@ -1,5 +1,5 @@
-// The blocks of the heap that the program has and has not given back: told by the allocation functions
-// (trace/heap_hooks.cpp), where these are linked.
+// Live heap blocks of the program, as the allocation functions report them (trace/heap_hooks.cpp), where these are
+// linked.
 #pragma once
 
 #include <cstddef>
@@ -11,10 +11,10 @@ namespace symreal::memory {
 struct HeapBlock {
   char *begin;
   std::size_t size;
-  std::uint64_t serial; // tells a block from a later one at the same address
+  std::uint64_t serial; // distinguishes a block from a later one at the same address
 };
 
-// What the bookkeeping of the runtime allocates is no block of the program's. May be nested.
+// Scope whose allocations are the runtime's own and not recorded as blocks of the program. Scopes may be nested.
 class OwnWork {
 public:
   OwnWork() { ++depth_; }
@@ -24,7 +24,7 @@ public:
   OwnWork(OwnWork const &) = delete;
   OwnWork &operator=(OwnWork const &) = delete;
   static bool is_going_on() { return depth_ != 0; }
-  // Called when the outermost one ends; null: nothing is.
+  // Sets the function to call at the end of the outermost scope; null: none.
   static void call_at_end(void (*function)()) { at_end_ = function; }
 
 private:
@@ -32,16 +32,16 @@ private:
   static void (*at_end_)();
 };
 
-// What lives as long as its thread, or longer.
+// Allocates an object of the runtime that lives at least as long as its thread.
 template <class T> T *make_own() {
   OwnWork const own;
   return new T;
 }
 
-// `caller`: the code that asked for it. What the C library keeps for itself, such as the buffer of a file, is left out.
+// `caller`: the allocating code. Blocks that the C library allocates for itself, such as file buffers, are left out.
 void note_allocated(void *block, std::size_t size, void const *caller);
 void note_released(void *block);
-// By address.
+// Live blocks, sorted by address.
 std::vector<HeapBlock> heap_blocks();
 
 } // namespace symreal::memory

@@ -12,7 +12,7 @@ namespace {
 // The stack from `frame` to its far end.
 Known callers_stack(void const *frame) {
   if (!frame) return {nullptr, 0};
-  // The frame begins with what the function has saved: the frame pointer and the return address.
+  // A frame begins with saved registers: the frame pointer and the return address.
   char const *first = static_cast<char const *>(frame) + 2 * sizeof(void *);
   char const *end = Stack::of_this_thread().end;
   return first < end ? Known{first, static_cast<std::size_t>(end - first)} : Known{nullptr, 0};
@@ -99,7 +99,7 @@ void MemoryImage::add(HeapBlock const &block) {
   OwnWork const own;
   auto const next = std::upper_bound(parts_.begin(), parts_.end(), block.begin,
                                      [](char const *begin, Part const &part) { return begin < part.begin; });
-  // One that was there then and was given back has no bytes to compare any more.
+  // A block in the place of a freed one has no bytes to compare with.
   if (next != parts_.begin() && block.begin < std::prev(next)->begin + std::prev(next)->size) return;
   if (next != parts_.end() && next->begin < block.begin + block.size) return;
   parts_.insert(next, {Region::heap_block, {}, block.begin, block.size, bytes_.size(), block.serial});
@@ -202,7 +202,7 @@ std::vector<Known> MemoryImage::owned(Known object, std::vector<HeapBlock> const
     for (std::size_t k = (sizeof(void *) - misaligned) % sizeof(void *); k + sizeof(void *) <= one.size;
          k += sizeof(void *)) {
       char const *pointer = nullptr;
-      // What it pointed to before counts, too: a container may have let go of it.
+      // The pointer's old value counts as well: a container may have released its block.
       char const *old = before(one.begin + k);
       for (char const *from : {one.begin + k, old}) {
         if (!from) continue;

@@ -1,6 +1,6 @@
-// What lies in the memory that outlives a kernel, at one moment: the objects of static storage duration of the program,
-// the blocks of its heap, and the stack of the functions that called the kernel's. Compared with what lies there later
-// it tells what the kernel has left behind, by whatever means it was written: numbers, integers, pointers, text.
+// Snapshot of the memory that outlives a kernel: the program's objects of static storage duration, its heap blocks, and
+// the stack of the kernel's callers. A later comparison yields all that the kernel has left behind, by whatever means
+// it was written: numbers, integers, pointers, text.
 #pragma once
 
 #include "runtime/memory/heap_blocks.h"
@@ -15,13 +15,13 @@ namespace symreal::memory {
 
 enum class Region : unsigned char { static_object, heap_block, stack };
 
-// Bytes of one object that are no longer what they were.
+// Bytes of one object that differ from the snapshot.
 struct Change {
   Region region;
-  std::string name;       // of a static object, as the linker knows it
-  char *object;           // where it begins; on the stack: where the change begins
+  std::string name;       // linker name of a static object
+  char *object;           // begin of the object; on the stack: begin of the change
   std::size_t size;       // of the object
-  std::size_t first, end; // the bytes from the first that differs to behind the last
+  std::size_t first, end; // from the first byte that differs to behind the last
 };
 
 // Bytes whose change is known or does not matter.
@@ -33,10 +33,10 @@ struct Known {
 class KnownBytes {
 public:
   explicit KnownBytes(std::vector<Known> known);
-  // The first byte from the address on that is not known.
+  // The first byte at or after the address that is not known.
   char const *skip(char const *address) const;
   bool has(char const *address) const { return skip(address) != address; }
-  // How many bytes from the address on are not known, but at most so many.
+  // Number of bytes from the address on that are not known, at most `most`.
   std::size_t room(char const *address, std::size_t most) const;
 
 private:
@@ -45,40 +45,39 @@ private:
 
 class MemoryImage {
 public:
-  // `frame`: of the function in which the kernel begins (__builtin_frame_address(0)); null: no stack.
+  // `frame`: of the function in which the kernel begins (__builtin_frame_address(0)); null leaves the stack out.
   static MemoryImage capture(void const *frame);
 
-  // What lies there now counts as if it had lain there then.
+  // Replaces the snapshot of these bytes by their present contents.
   void update(void const *begin, std::size_t size);
-  // The same of a block of the heap that was not there then.
+  // Adds a heap block that was allocated after the snapshot, with its present contents.
   void add(HeapBlock const &block);
 
-  // What has changed since, but for what is known. What the heap has given back, and objects that were initialised, are
-  // left out.
+  // Changes since the snapshot, except in `known`. Freed heap blocks and objects initialised since are left out.
   std::vector<Change> changes(std::vector<Known> known) const;
-  // All objects of the image, by address, as if each had changed as a whole.
+  // All objects of the image, by address, each as one change of all its bytes.
   std::vector<Change> objects() const;
-  // Whether the object there still exists: a block of the heap may have been given back.
+  // Whether the object at the address still exists: a heap block may have been freed.
   bool outlives(std::vector<HeapBlock> const &blocks, void const *address) const;
 
-  // The static objects of functions that were initialised since, on their first use, and the temporaries that those
-  // that are references keep alive.
+  // Function-local static objects that were initialised since, and the temporaries whose life those that are references
+  // extend.
   std::vector<Change> initialised() const;
-  // The objects of these that the compiler guards with this one.
+  // The initialised objects that this compiler guard protects.
   std::vector<Change> guarded(void const *guard) const;
 
-  // The bytes that lay there, of an address within the image; else null.
+  // Saved bytes of the address; null outside of the image.
   char const *before(void const *address) const;
 
-  // In which part of the image the address lies; nullopt outside of it.
+  // Region of the address; nullopt outside of the image.
   std::optional<Region> region_of(void const *address) const;
-  // The object there.
+  // Object at the address.
   std::optional<Change> object_at(void const *address) const;
-  // The linker's name of the static object there; empty elsewhere.
+  // Linker name of the static object at the address; empty elsewhere.
   std::string static_name(void const *address) const;
 
-  // All that can be reached from these bytes: the blocks of the heap that they point into, what those point into, and
-  // so on. For an object that owns others, in whatever way. `blocks`: those that there are now, if they count as well.
+  // Heap blocks reachable from these bytes, transitively: all that an object owns, however it does so. `blocks`: the
+  // live heap blocks, if they count as well.
   std::vector<Known> owned(Known object, std::vector<HeapBlock> const &blocks = {}) const;
 
 private:
@@ -86,7 +85,7 @@ private:
     Region region;
     std::string name;
     char *begin;
-    std::size_t size, saved; // where in bytes_
+    std::size_t size, saved; // offset in bytes_
     std::uint64_t serial;    // of a block
   };
   void save(Part part);

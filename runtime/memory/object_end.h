@@ -1,10 +1,10 @@
-// How far the object reaches that an address lies in.
+// End of the object at an address.
 #pragma once
 
 namespace symreal::memory {
 
-// Behind the last byte of the static object or heap block around the address; of the stack, the end of what its
-// callers have there. Where nothing is known of the address, the word there is all.
+// The byte behind the static object or heap block around the address; on the stack, the end of the callers' frames; for
+// an unknown address, the end of its word.
 char const *object_end(void const *address);
 
 // The constant that the address lies in. One without a symbol, a literal, has all that lies between its neighbours.

@@ -1,4 +1,4 @@
-// Which memory is the kernel's own, or constant, whatever the kernel does.
+// Classification of memory that is the kernel's own, or constant, independent of the kernel's actions.
 #pragma once
 
 #include "runtime/memory/heap_blocks.h"

@@ -1,11 +1,11 @@
-// Where the stack of this thread lies.
+// Bounds of this thread's stack.
 #pragma once
 
 #include <cstddef>
 
 namespace symreal::memory {
 
-// Both are nullptr where the system does not say.
+// Both are nullptr if the system does not report them.
 struct Stack {
   char *begin = nullptr, *end = nullptr;
 

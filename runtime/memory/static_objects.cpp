@@ -14,7 +14,7 @@
 namespace symreal::memory {
 namespace {
 
-// A file that is mapped while it is looked at.
+// A file mapped for the scope's duration.
 class MappedFile {
 public:
   explicit MappedFile(char const *path) {
@@ -43,7 +43,7 @@ private:
   std::size_t size_ = 0;
 };
 
-// One loaded file: where it lies, what of it is constant once it is relocated, and its variables of this thread.
+// One loaded file: its address range, its parts that are constant after relocation, and its variables of this thread.
 struct Loaded {
   std::uintptr_t base;
   std::string path;
@@ -51,7 +51,7 @@ struct Loaded {
   char *thread_begin = nullptr;
 };
 
-// Mangled names of the namespaces std, __gnu_cxx and symreal, behind what says what kind of thing it is.
+// Whether the mangled name lies in namespace std, __gnu_cxx or symreal, behind a prefix for its kind.
 bool is_of_library(std::string_view name) {
   if (name.find('@') != name.npos) return true; // copied from a shared library
   if (name.starts_with("symreal_")) return true;

@@ -61,7 +61,7 @@ private:
     }
   }
 
-  // Each number of each sample in turn, along the line through the margin here and a little farther on.
+  // Moves each number of each sample in turn, to the margin's extrapolated zero and a little beyond.
   void reach_other_side(std::size_t k) {
     NodeId const condition = decisions_[k].condition;
     std::vector<Sample> const from = sides_[k].yes.empty() ? sides_[k].no : sides_[k].yes;
@@ -71,7 +71,7 @@ private:
         for (int turn = 0; turn < 3 && has_time(); ++turn) {
           double const here = moved.inputs[i], margin = margin_of(graph_, condition, values_at(moved)),
                        slope = slope_at(moved, i, condition, margin);
-          // Beyond the zero, and where the margin is a bend such as |x - 1| at least onto it.
+          // Steps beyond the zero first, then onto it, for a margin with a bend such as |x - 1|.
           if (slope == 0 || !move_to(moved, i, here - 1.0625 * margin / slope)) break;
           look_at(moved);
           if (!move_to(moved, i, here - margin / slope)) break;
@@ -81,7 +81,7 @@ private:
       }
   }
 
-  // Of the margin, by a step that it feels; 0 where it feels none.
+  // Difference quotient of the margin, by a step that changes it; 0 if no step does.
   double slope_at(Sample sample, std::size_t i, NodeId condition, double margin) {
     double const here = sample.inputs[i];
     for (double step = std::max(std::abs(here), 1.0) / 64; std::isfinite(here + step) && has_time(); step *= 0x1p20) {
@@ -92,7 +92,7 @@ private:
     return 0;
   }
 
-  // Stays where samples are drawn.
+  // Sets the number; returns whether it lies where samples are drawn.
   bool move_to(Sample &sample, std::size_t i, double number) const {
     std::optional<Range> const &range = ranges_[i];
     sample.inputs[i] = number;

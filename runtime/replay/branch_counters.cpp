@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <sys/mman.h>
 
-// Of clang's library for profiles, where the program has it.
+// Symbols of clang's profile library; null in a program without it.
 extern "C" {
 [[gnu::weak]] char *profile_begin_counters() __asm__("__llvm_profile_begin_counters");
 [[gnu::weak]] char *profile_end_counters() __asm__("__llvm_profile_end_counters");

@@ -1,5 +1,5 @@
-// How often each branch went which way, in a program that clang has built with -fprofile-instr-generate. Each sample
-// runs in a fork of its own; what they count is summed here. In any other program there are no counters.
+// Branch counters of a program that clang has built with -fprofile-instr-generate. Each sample runs in a fork of its
+// own; the counts of all forks are summed. Other programs have no counters.
 #pragma once
 
 #include <cstddef>
@@ -9,9 +9,9 @@ namespace symreal::replay {
 
 class BranchCounters {
 public:
-  // Before the first fork: what has been counted by then is left out.
+  // Construct it before the first fork: earlier counts are left out.
   BranchCounters();
-  // In a fork, at its end.
+  // Adds this fork's counts, at its end.
   void add() const;
   // The sums, to the file that LLVM_PROFILE_FILE names.
   void write() const;

@@ -1,5 +1,5 @@
-// What a graph decides: the conditions of its selects and guards, taken apart where they are joined by `and`, `or` and
-// `not`. Verification counts how often each was met and what it gave.
+// Decisions of a graph: the conditions of its selects and guards, split at `and`, `or` and `not`. Verification counts
+// how often each was met with which outcome.
 #pragma once
 
 #include "engine/graph/graph.h"
@@ -13,17 +13,17 @@ namespace symreal {
 
 struct Decision {
   NodeId condition;
-  LocationId location = no_location; // of a guard or select that it belongs to
+  LocationId location = no_location; // of the guard or select
   bool is_guards = false;            // of a guard; else of a select
 };
 
-// Each condition once, in the order of the nodes; without those that are constants. Iterative, linear.
+// Each condition once, in node order, without constants. Iterative, linear.
 std::vector<Decision> decisions_of(Graph const &graph);
 
-// Of a comparison: the number whose sign it asks for, left minus right. Of another condition: its value.
+// Margin of a condition: for a comparison, left minus right, whose sign decides it; for another condition, its value.
 double margin_of(Graph const &graph, NodeId condition, std::span<double const> values);
 
-// How often a decision was met, by what it gave.
+// Number of times that a decision was met, by outcome.
 struct DecisionCounts {
   std::size_t yes = 0, no = 0;
 };

@@ -8,13 +8,13 @@ namespace symreal::replay {
 
 class ReplayCode {
 public:
-  // Loads what the environment names; nothing if it names nothing. Ends the process if it cannot be loaded.
+  // Loads the code that the environment names, if any. Ends the process if it cannot be loaded.
   ReplayCode();
   void run_generated(Head &head) const;
   // 0, or the number of the guard that does not hold.
   int compute(Head const &head, double const *inputs, double const *parameters, double *outputs) const;
   void run_graph(Head &head) const;
-  // Until the client sends no_function, or has gone.
+  // Answers calls until the client sends no_function, or has gone.
   void answer_calls(Head &head, int commands, int answers) const;
 
 private:

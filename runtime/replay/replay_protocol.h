@@ -1,12 +1,12 @@
-// What the replay program and its client share.
+// Protocol between the replay program and its client.
 //
 //   client ──command──▶ server: fork; the fork runs the kernel on the inputs in shared memory and ends ──status──▶
 //   client
 //
-// A kernel with external functions has its generated code and its recorded graph run here as well, in a fork likewise,
-// so that both call the program's own functions in the state in which the kernel finds them. For differences and dual
-// numbers a fork answers calls of functions, one behind the other: the client sends the number of a function, four
-// bytes, until it sends `no_function`.
+// The generated code and the recorded graph of a kernel with external functions run here as well, each in a fork, so
+// that both call the program's own functions in the state in which the kernel finds them. For differences and dual
+// numbers a fork answers a sequence of function calls: the client sends the number of a function, four bytes, until it
+// sends `no_function`.
 //
 // The environment of the program names the shared file, two descriptors and the kernel:
 //   SYMREAL_REPLAY=<file>,<commands>,<answers>   SYMREAL_REPLAY_KERNEL=<name under which the kernel begins>
@@ -31,34 +31,34 @@ enum class State : std::uint32_t { begun, complete, wrong_shape };
 enum class Command : char { original = 'o', generated = 'c', graph = 'g', functions = 'f' };
 inline constexpr std::uint32_t no_function = ~std::uint32_t{0};
 
-// Outputs that are no inputs hold this before a later call, so that one which is not written shows.
+// Value of outputs that are not inputs before a later call, so that an output left unwritten shows.
 inline constexpr double spoilt_output = -7654.321;
 
-// What the original's kernel has left in memory that outlives it, and that is no output.
+// Change that the original's kernel has left in memory that outlives it and is not an output.
 struct LeftBehind {
   std::uint64_t size, first, end; // of the object, and of the bytes in it that changed
-  std::uint64_t now;              // a hash of what they are now
+  std::uint64_t now;              // hash of the changed bytes
   memory::Region region;
-  char name[183]; // as the linker knows it, cut where it is longer
+  char name[183]; // linker name, truncated
   bool operator==(LeftBehind const &other) const {
     return size == other.size && first == other.first && end == other.end && now == other.now &&
            std::string_view(name) == other.name;
   }
 };
 
-// For as long the original may run again and again to find state that no clause names.
+// Time limit for the repeated runs of the original that search for state that no clause names.
 inline constexpr unsigned most_seconds_examined = 30;
 
 // An object that no clause names and that holds state of the original's kernel, at the bytes from `first`.
 struct UnnamedObject {
   LeftBehind object;
-  std::uint64_t instruction; // that meets it first, relative to where the program is loaded
+  std::uint64_t instruction; // the first to access it, relative to the load base
   std::uint32_t is_read;     // the outputs depend on it; else it is overwritten
   std::uint32_t unused;
 };
 
-// An effect of the original's kernel outside of the program, in words; of a function whose result comes from there, its
-// name.
+// An effect of the original's kernel outside of the program, in words; for a function whose result comes from there,
+// its name.
 enum class Outside : std::uint8_t { passes, lasts, result };
 struct OutsideEffect {
   Outside kind;
@@ -73,7 +73,7 @@ struct Head {
   std::uint32_t seconds; // after which a sample is given up
   State state;
   std::uint32_t constant_count, guard_count; // of the generated code
-  std::int32_t failed;                       // what it returned
+  std::int32_t failed;                       // return value of the generated code
   std::uint32_t failing_guard;               // of the graph: the first that does not hold
   Premises premises;
   std::uint8_t unused;
@@ -84,15 +84,15 @@ struct Head {
   std::uint32_t most_arguments, most_results; // of a function
   std::uint64_t stack[16]; // of a program that counts its branches: where the kernel begins, see Memory::stack
   LeftBehind left[16];
-  std::uint64_t returned;      // a hash of what is no number in the object that the first call returns
+  std::uint64_t returned;      // a hash of the non-numeric parts of the object that the first call returns
   std::uint32_t watches_world; // the client wants to know the effects
   std::uint32_t effect_count;
   std::uint32_t keeps_formats; // of the standard streams, which the kernel is known to read
   OutsideEffect effects[8];
-  std::uint32_t examines; // the client wants to know of state that no clause names
+  std::uint32_t examines; // the client asks for state that no clause names
   std::uint32_t unnamed_count;
   UnnamedObject unnamed[8];
-  char unexamined[96]; // why not all was tried; empty if it was
+  char unexamined[96]; // why the search was incomplete; empty if it was complete
 };
 static_assert(sizeof(Head) % sizeof(double) == 0);
 

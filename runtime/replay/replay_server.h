@@ -1,6 +1,6 @@
-// The side of the replay program: at the first annotation of the wanted kernel the process becomes a fork server, and
+// Server side of a replay program: at the first annotation of the wanted kernel the process becomes a fork server, and
 // each fork runs the kernel once on inputs of the client's choice. Without the environment of replay_protocol.h, and
-// for every other kernel, all of this does nothing, and the program runs on as the original would.
+// for every other kernel, the functions do nothing, and the program runs on as the original would.
 #pragma once
 
 #include "runtime/memory/memory_image.h"
@@ -12,16 +12,16 @@
 
 namespace symreal::replay {
 
-// What else a program tells of its memory.
+// Callbacks by which a program reports on its memory.
 struct Memory {
   std::function<void()> prepare = [] {}; // before the first fork
-  // What has changed in it since; after generated code that calls functions of the program.
+  // Changes since `prepare`; called after generated code that calls functions of the program.
   std::function<std::vector<memory::Change>()> changes = [] { return std::vector<memory::Change>(); };
-  // Where it stands: return addresses, relative to where it is loaded, innermost first.
+  // Call stack: return addresses relative to the load base, innermost first.
   std::function<std::vector<std::uintptr_t>()> stack = [] { return std::vector<std::uintptr_t>(); };
 };
 
-// At the first annotation. Returns in the forks, where it is true, and for what is not wanted.
+// Called at the first annotation. Returns true in the forks, false for a kernel that is not wanted.
 bool replay_begin(std::string_view kernel, Memory const &memory = {});
 
 // Per annotated number, in order: inputs and parameters receive their value, an output is kept for the client. A null
@@ -33,17 +33,17 @@ void replay_output(double value);
 // The kernel's generated code, in the program of the original: 0, or the guard that does not hold.
 int replay_compute(double const *inputs, double const *parameters, double *outputs);
 
-// What the kernel has left in memory.
+// Reports the changes that the kernel has left in memory.
 void replay_left(std::vector<memory::Change> const &changes);
 
-// Whether the client wants to know what this call does outside of the program, and one such effect.
+// Whether the client asks for the effects of this call outside of the program, and one such effect.
 bool replay_watches_world();
-// Whether the formats of the standard streams may be others in later calls.
+// Whether later calls may use other formats of the standard streams.
 bool replay_changes_formats();
 void replay_effect(Outside kind, std::string_view what);
 
-// Whether the client wants to know of state that no clause names, and whether all inputs are given, so that the kernel
-// may be run on from here in forks.
+// Whether the client asks for state that no clause names; whether all inputs are given, so that forks may run the
+// kernel on from here.
 bool replay_examines();
 bool replay_is_fed();
 enum class Ran { here, well, badly };
@@ -57,7 +57,7 @@ void replay_unexamined(std::string_view why);
 // A hash of the members of the returned object that are not numbers.
 void replay_returned(std::uint64_t hash);
 
-// A change as the client is told of it.
+// The change in the form that the client receives.
 LeftBehind left_behind(memory::Change const &change);
 
 // Per input, in order: the output that is the same number, or -1.
@@ -66,7 +66,7 @@ void replay_link(int output);
 // Whether the kernel is to run once more, on the state that it has left.
 bool replay_again();
 
-// At the kernel's end, which is the end of the fork.
+// Ends the kernel, and with it the fork.
 void replay_end();
 // The end of a fork that has run the kernel in further ones.
 [[noreturn]] void replay_examined();

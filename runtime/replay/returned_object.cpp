@@ -20,7 +20,7 @@ template <class T> T read(char const *from) {
   return value;
 }
 
-constexpr std::size_t longest_text = 256; // that is looked at
+constexpr std::size_t longest_text = 256; // further characters are ignored
 
 std::string_view bytes_of(char what, char const *at, std::size_t size) {
   switch (what) {

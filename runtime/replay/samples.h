@@ -17,13 +17,13 @@ struct Sample {
 
 class SampleSource {
 public:
-  // `only_near`: no wide magnitudes and no corners, but in a range all of it.
+  // `only_near`: without wide magnitudes and corners; an input with a range still covers all of it.
   SampleSource(Graph const &graph, std::uint64_t seed, bool only_near = false);
   // The first is the recorded one.
   Sample next();
 
 private:
-  // Where one number is drawn from.
+  // Distribution of one number.
   struct Slot {
     double recorded;
     std::optional<Range> range;

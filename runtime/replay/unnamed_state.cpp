@@ -39,19 +39,19 @@ struct Told {
 };
 Told *told = nullptr;
 
-bool is_watching = false; // what is read until all inputs are given
+bool is_watching = false; // until all inputs are given
 enum class Role { none, watches, tries };
 Role role = Role::none;                     // of this process
 std::vector<Candidate const *> tried;       // the bytes that were changed
-std::set<char const *> changeable, leading; // static variables; of the second kind what they lead to
-std::set<char const *> looked_up;           // by the names of inputs, parameters and what is constant
+std::set<char const *> changeable, leading; // static variables; those of the second kind only lead to changeable memory
+std::set<char const *> looked_up;           // read to look up inputs, parameters and constants
 
 constexpr unsigned seconds = 2, seconds_watched = 10; // for a run
 constexpr std::size_t most_objects = 64;
 constexpr std::chrono::seconds most_time{4};
 
-// A change of bytes of which only the first's address is known: a small integer, a truth value or a letter becomes
-// another one; a number of single or double precision another, larger, or negative one.
+// A change of bytes of unknown type and size: a small integer, a truth value or a letter becomes another one; a number
+// of single or double precision another, larger, or negative one.
 struct Trial {
   unsigned char offset, flips;
 };
@@ -64,7 +64,7 @@ bool is_changeable(Change const &object) {
   return object.region != Region::static_object || changeable.contains(object.object);
 }
 
-// A lock is as it was when it is given back, whoever had it.
+// Whether the access belongs to a lock, which is unchanged after its release.
 bool is_of_locks(memory::Access const &access) {
   Dl_info code;
   if (dladdr(memory::code_at(access), &code) == 0 || !code.dli_sname) return false;
@@ -72,7 +72,7 @@ bool is_of_locks(memory::Access const &access) {
   return name.starts_with("pthread_") || name.starts_with("__pthread_");
 }
 
-// All that the program can point to.
+// All memory that the program can point to.
 class Mappings {
 public:
   Mappings() {
@@ -127,7 +127,7 @@ bool watch_changeable(MemoryImage const &image) {
   return memory::begin_watching_accesses(bytes);
 }
 
-// In the process that runs the forks.
+// Examination, in the process that runs the forks.
 class Examination {
 public:
   explicit Examination(MemoryImage const &image) : image_(image) {}
@@ -203,7 +203,7 @@ private:
       Ran ran = try_one(all, trial);
       if (ran == Ran::here) return false;
       if (ran == Ran::badly || same_bits(outputs_, replay_outputs())) continue;
-      // Which of them it is.
+      // Tries each alone to find the one.
       for (std::size_t k = 0; all.size() > 1 && k < all.size() && !is_over(); ++k) {
         ran = try_one({all[k]}, trial);
         if (ran == Ran::here) return false;
@@ -215,7 +215,7 @@ private:
     return true;
   }
 
-  // All at once, and if the original does not end so, each alone.
+  // Tries all at once, and each alone if the original does not end so.
   bool try_writes(Object const &object) {
     std::vector<Candidate const *> all = object.candidates;
     std::erase_if(all, [](Candidate const *one) { return !one->is_written; });

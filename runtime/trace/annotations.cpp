@@ -1,4 +1,4 @@
-// What the annotations of a program call (<symreal/annotate.h>).
+// Entry points of a program's annotations (<symreal/annotate.h>).
 #include "engine/support/mutation/is_dropped.h"
 #include "runtime/memory/heap_blocks.h"
 #include "runtime/trace/sinks.h"

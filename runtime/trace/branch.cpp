@@ -140,7 +140,7 @@ void Loop::stop() {
 }
 
 RealNumber const &detail::keep(RealNumber x) {
-  static thread_local std::deque<RealNumber> kept; // a deque does not move what it holds
+  static thread_local std::deque<RealNumber> kept; // a deque keeps its elements in place
   return kept.emplace_back(x);
 }
 

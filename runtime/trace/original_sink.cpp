@@ -1,5 +1,5 @@
-// The original: its own text, annotated by <symreal/original.h>. It is fed and read like the replay, and what a kernel
-// leaves in the memory that outlives it is told as well.
+// Sink of the original: its own text, annotated by <symreal/original.h>. It is fed and read like the replay, and
+// reports changes of memory that outlives the kernel as well.
 #include "runtime/memory/own_memory.h"
 #include "runtime/memory/static_objects.h"
 #include "runtime/replay/replay_protocol.h"
@@ -131,7 +131,7 @@ private:
     image_.update(number, sizeof *number); // the caller's own doing
   }
 
-  // Called again, the kernel finds in its state what it has left there.
+  // A repeated call finds in its state the values that it has left there.
   void input(double *number) {
     double kept = *number;
     if (is_again_ && output_at(number) >= 0) return replay::replay_input(&kept);
@@ -153,13 +153,13 @@ private:
     }
   }
 
-  // The caller's room for a structure that C returns, which no name leads to, holds it by now.
+  // Whether the change is the caller's unnamed room for a returned structure of C.
   bool is_returned(memory::Change const &change) const {
     std::string_view const bytes(change.object + change.first, change.end - change.first);
     return change.region == memory::Region::stack && returned_.find(bytes) != returned_.npos;
   }
 
-  // Which output the number is as well, or -1.
+  // Index of the output that is the same number, or -1.
   int output_at(double const *number) const {
     auto const found = std::find(outputs_.begin(), outputs_.end(), number);
     return found == outputs_.end() ? -1 : static_cast<int>(found - outputs_.begin());
@@ -173,7 +173,7 @@ private:
     return result;
   }
 
-  // For what the clauses say of bytes (verify/unnamed_state.h).
+  // Bytes that the clauses name (verify/unnamed_state.h).
   replay::Named named() const {
     replay::Named result{named_holders_, known()};
     auto const add = [&](auto const &owners) {
@@ -205,13 +205,13 @@ private:
   std::vector<double *> outputs_;
   std::vector<Known> holders_, scratch_, constant_;
   std::vector<Known> chosen_;
-  std::vector<Known> named_holders_;  // of what is no output
-  std::map<char *, std::string> own_; // and what was there
+  std::vector<Known> named_holders_;  // other than outputs
+  std::map<char *, std::string> own_; // with their bytes before
   std::string returned_;              // the bytes of a structure
   Graph interface_;
 };
 
-// Where its instructions record themselves (oracle/), it is recorded.
+// An original whose instructions record themselves (oracle/) is recorded.
 MakeSink sink_of_original() {
   static bool const is_recorded = std::getenv("SYMREAL_RECORD") != nullptr;
   return is_recorded ? make_recorder_of_original : make_original;

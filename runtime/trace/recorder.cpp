@@ -33,7 +33,7 @@ namespace {
 
 class Recorder final : public Sink {
 public:
-  // `has_notes`: the program notes what it reads and writes besides its annotations.
+  // `has_notes`: the program notes its reads and writes besides its annotations.
   explicit Recorder(bool has_notes) : has_notes_(has_notes) {}
 
   void begin(std::string const &name, void const *frame) override {
@@ -116,7 +116,7 @@ public:
     if (kind_ == Kind::input || kind_ == Kind::parameter) State::current().member(scalar, name, object_.place);
   }
 
-  // Of the original, whose annotations tell bytes.
+  // Receives objects of the original, whose annotations tell bytes.
   void bytes(void const *begin, std::size_t size) override {
     Pause const pause;
     if (kind_ == Kind::constant) State::current().constant_with_owned(begin, size);
@@ -146,7 +146,7 @@ public:
     member.extents = extents;
     std::size_t const count = object_.count - level.count_before;
     if (number_count(extents, member.members) != count) member = {member.name, {count}};
-    if (count == 0) level.members.pop_back(); // a scalar, or nothing
+    if (count == 0) level.members.pop_back(); // a scalar, or empty
   }
   // The elements of an array of structures are of one shape, or the object is one long row.
   void end_members() override {
@@ -185,7 +185,7 @@ public:
   void set_range(double low, double high) override {
     if (graph_.inputs.empty()) return;
     Place const last = graph_.inputs.back().place;
-    // Those of the pragma that no range before this one was given to.
+    // Inputs of this pragma without a range get this one.
     for (Object &input : graph_.inputs)
       if (!input.range && input.place.line == last.line && input.place.file == last.file) input.range = {low, high};
   }
@@ -204,7 +204,7 @@ public:
     graph_.kernel = name;
     Checkpoint::current().go_back(unwritten_);
     Checkpoint::current().end();
-    // Left by an exception on a path that the driver chose: there it has no result.
+    // A kernel left by an exception on a hypothetical path has no result.
     if (graph_.outputs.empty() && ExploredPath::current().is_hypothetical()) give_up();
     check_modes(place);
     Pool &pool = Pool::current();
@@ -241,7 +241,7 @@ private:
     return kind == Kind::input ? graph_.inputs : kind == Kind::parameter ? graph_.parameters : graph_.outputs;
   }
 
-  // Generated code computes, and calls external functions, which may do what they like.
+  // Reports effects of the kernel: generated code has only those of external functions, which are unrestricted.
   static void judge_world(Place const &place) {
     std::vector<Effect> const effects = effects_on_world();
     if (!Externals::current().functions().empty()) return;
@@ -251,7 +251,7 @@ private:
                 "the kernel " + effect.what + ", and the generated code would not do so"});
   }
 
-  // What the arm leaves behind besides its results is a matter of its own path.
+  // Other changes that the arm leaves behind, besides its results, need a path of their own.
   void end_arm(Place const &place) {
     memory::OwnWork const own;
     bool const leaves_more = Join::current().would([&] {
@@ -276,7 +276,7 @@ private:
     deliver(graph_, output_file);
   }
 
-  // Whether the caller's objects overlap is up to the caller; one object under one name is no overlap.
+  // Reports an output that overlaps an input of another name: the caller decides whether they overlap.
   void check_overlap(void *number) {
     auto const input = declared_.find(number);
     if (input == declared_.end() || first_name(input->second.first) == first_name(object_.label)) return;
@@ -286,14 +286,14 @@ private:
                 to_string(input->second.second) + "), so the result would hold only for calls with this overlap"});
   }
 
-  // Of the object that an annotation is about: `x` of "*this->x[0:2].y".
+  // Base object of a label: `x` of "*this->x[0:2].y".
   static std::string first_name(std::string label) {
     for (std::string const prefix : {"*", "&", "(", "this->", "*"})
       if (label.starts_with(prefix)) label.erase(0, prefix.size());
     return label.substr(0, label.find_first_of("[.-*&() "));
   }
 
-  // Elements of the output that the kernel did not write hold what the caller had there.
+  // Reports elements of the output that the kernel did not write: they keep the caller's values.
   void report_kept() const {
     std::string const what = object_.members.empty() ? "element" : "member";
     std::string elements = object_.count == 1 ? "" : " in " + what + (kept_.size() == 1 ? "" : "s");
@@ -310,7 +310,7 @@ private:
                 (kept_.size() > 1 ? ", ...)" : ")")});
   }
 
-  // The output is no node and may not have been written.
+  // Notes an output that holds a plain number and may not have been written.
   void keep(RealNumber &number) {
     unwritten_.push_back({&number, number.plain()});
     std::map<RealNumber *, double> const &held = Checkpoint::current().held();
@@ -318,7 +318,7 @@ private:
     kept_.push_back({object_.count, before == held.end() ? number.plain() : before->second});
   }
 
-  // An element is an input or a parameter once.
+  // Reports an element that is declared as an input or parameter twice.
   void claim(void *number) {
     auto [found, is_new] = declared_.try_emplace(number, object_.label, object_.place);
     if (is_new) return;
@@ -328,7 +328,7 @@ private:
     give_up();
   }
 
-  // Nodes of the same code share a location. In place: with a recording of this length the memory counts.
+  // Nodes of the same code share a location. Works in place: recordings of this length need the memory.
   void locate_nodes(LongArray<std::uint32_t> addresses) {
     static_assert(std::is_same_v<std::uint32_t, LocationId>);
     std::unordered_map<std::uint32_t, LocationId> known;
@@ -395,9 +395,9 @@ private:
   std::vector<Unwritten> unwritten_; // of all outputs
   std::set<std::string> overlaps_;   // that are reported
   OperationCounts executed_before_;
-  std::string modes_at_begin_;                               // of arithmetic, where it is not as promised
+  std::string modes_at_begin_;                               // of arithmetic, if unusual
   std::map<void *, std::pair<std::string, Place>> declared_; // inputs and parameters by address
-  std::vector<RealNumber *> written_;                        // what holds nodes and becomes ordinary again
+  std::vector<RealNumber *> written_;                        // hold nodes, and become plain again
 };
 
 } // namespace

@@ -1,5 +1,5 @@
-// What the instructions of the original read and write, where the pass of oracle/ tells it. It is judged as what a
-// rewritten text notes (symreal/state.h), if the driver wants code from this recording and not only a comparison.
+// Hooks for the memory accesses of the original's instructions, inserted by the pass of oracle/. They are judged like a
+// rewritten text's notes (symreal/state.h) if the driver wants code from this recording, not a comparison.
 #include "runtime/trace/watched_memory.h"
 
 #include "runtime/trace/nodes/pool.h"
@@ -55,7 +55,7 @@ void symreal_writes(void const *begin, std::size_t size, int is_number, char con
         {begin, static_cast<unsigned char>(size), symreal::ScalarObject::Kind::natural}, name, place);
 }
 
-// Of what is copied as bytes, whole words are taken for numbers.
+// Reads and writes of bytes: whole words count as numbers.
 void symreal_reads_bytes(void const *begin, std::size_t size, char const *name, char const *place) noexcept {
   auto const *bytes = static_cast<char const *>(begin);
   bool const are_words = size % sizeof(RealNumber) == 0;

@@ -1,4 +1,4 @@
-// Of a recording of instructions: whether what they read and write besides annotated objects is judged.
+// Whether a recording of instructions judges the reads and writes of memory other than annotated objects.
 #pragma once
 
 namespace symreal::trace {

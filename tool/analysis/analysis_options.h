@@ -1,4 +1,4 @@
-// Which costs, and what the levelled schedule is for.
+// Options of analyses: the costs of operations, and the goal of the levelled schedule.
 #pragma once
 
 #include "engine/analysis/figures/figures.h"

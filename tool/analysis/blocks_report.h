@@ -1,4 +1,4 @@
-// The blocks of a kernel, for the user: text, JSON, a table of operations; and whether threads pay.
+// Report on the blocks of a kernel: text, JSON, a table of operations; and advice on threads.
 #pragma once
 
 #include "engine/analysis/threads/advice.h"
@@ -16,14 +16,14 @@ struct BlocksReport {
   KernelBlocks const *kernel;
   std::optional<Advice> advice;
 };
-// With advice where the costs know threads, and there are two blocks at least.
+// Makes the report, with advice if the costs cover threads and there are at least two blocks.
 BlocksReport blocks_report(Graph const &graph, Costs const &costs, KernelBlocks const &kernel);
 
 void print_blocks(std::ostream &out, BlocksReport const &report);
-// In words.
+// Prints the advice in words.
 void print_advice(std::ostream &out, BlocksReport const &report);
 nlohmann::ordered_json to_json(BlocksReport const &report);
-// A line per operation: its node in the graph's text, its block.
+// One line per operation: its node in the graph's text, its block.
 std::string blocks_csv(Graph const &graph, KernelBlocks const &kernel);
 
 } // namespace symreal::tool

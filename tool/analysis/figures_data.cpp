@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// A whole number of operations stays one.
+// Amount as JSON; unit costs stay integers.
 Json json_amount(Costs const &costs, Time time) { return costs.scale == 1 ? Json(time) : Json(costs.in_unit(time)); }
 
 Json path_to_json(Graph const &graph, Costs const &costs, Figures const &figures) {

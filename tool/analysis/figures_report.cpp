@@ -17,7 +17,7 @@ void print_bounds(std::ostream &out, Costs const &costs, Figures const &figures)
                amount(costs, bound.simple), amount(costs, bound.by_levels));
 }
 
-// A path of many lines is shown by its ends.
+// Prints the critical path; a long one is shown by its ends.
 void print_path(std::ostream &out, Graph const &graph, Costs const &costs, Figures const &figures) {
   constexpr std::size_t most = 40;
   std::vector<PathLine> const lines = path_lines(graph, figures.critical_path);

@@ -1,4 +1,4 @@
-// The figures of a graph, for the user: text, JSON, tables of numbers.
+// Report on the figures of a graph: text, JSON, tables of numbers.
 #pragma once
 
 #include "engine/analysis/figures/figures.h"
@@ -10,15 +10,15 @@
 
 namespace symreal::tool {
 
-// "33", "4.5": in the costs' unit.
+// Amount in the costs' unit: "33", "4.5".
 std::string amount(Costs const &costs, Time time);
 
 void print_figures(std::ostream &out, Graph const &graph, Costs const &costs, Figures const &figures);
 nlohmann::ordered_json to_json(Graph const &graph, Costs const &costs, Figures const &figures);
 
-// A line per unit of time: how many operations are under way if all begin early, late, or levelled.
+// One line per unit of time: operations under way if all begin early, late, or levelled.
 std::string profile_csv(Costs const &costs, Figures const &figures);
-// A line per operation: its node in the graph's text, its levels and its place.
+// One line per operation: its node in the graph's text, its levels and its place.
 std::string operations_csv(Graph const &graph, Costs const &costs, Figures const &figures);
 
 } // namespace symreal::tool

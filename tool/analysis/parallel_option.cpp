@@ -10,7 +10,7 @@ namespace symreal::tool {
 
 namespace {
 
-// What threads cost, of a file that knows it.
+// Thread costs of a cost file that has them.
 ThreadCosts const &thread_costs_of(Costs const &costs) {
   if (costs.scale == 1)
     fail(DiagnosticId::bad_option, {},
@@ -25,7 +25,7 @@ ThreadCosts const &thread_costs_of(Costs const &costs) {
   return *costs.threads;
 }
 
-// Threads neither leave out nor repeat a call that has effects.
+// Refuses guards combined with effects: threads can neither skip nor repeat a call that has effects.
 void require_shareable(Graph const &graph) {
   if (!graph.guards.empty() && graph.last_effect != no_node)
     fail(DiagnosticId::bad_option, {},

@@ -1,4 +1,4 @@
-// --parallel: threads that share an evaluation, where measured costs say that it pays.
+// --parallel: lets threads share an evaluation if measured costs say that it pays.
 #pragma once
 
 #include "engine/analysis/sharing/sharing.h"
@@ -16,8 +16,8 @@ struct ParallelOption {
   bool is_given() const { return threads != 1; }
   // Throws option_without_effect, bad_option.
   void require_sense(EmitterOptions const &emitter) const;
-  // The schedule, shared out; as it is if that was not asked for. `remark`: what it gives, in words. Throws cost_file,
-  // bad_option, parallel_does_not_pay.
+  // The schedule distributed among threads; unchanged without --parallel. `remark`: the expected gain, in words. Throws
+  // cost_file, bad_option, parallel_does_not_pay.
   Schedule shared(Schedule plan, std::string &remark) const;
 };
 

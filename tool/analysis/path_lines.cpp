@@ -10,7 +10,7 @@ std::vector<PathLine> path_lines(Graph const &graph, std::vector<PathStep> const
   NodeId last = no_node;
   for (PathStep const &step : path) {
     Place const place = place_of(graph, step.node);
-    // Without places it is runs of one operation.
+    // Without places, runs of one operation form an entry.
     bool const is_other = place.file.empty() && last != no_node && graph.nodes[last].op != graph.nodes[step.node].op;
     last = step.node;
     if (lines.empty() || lines.back().place.file != place.file || lines.back().place.line != place.line || is_other) {

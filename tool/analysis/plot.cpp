@@ -10,9 +10,9 @@ namespace symreal::tool {
 
 namespace {
 
-constexpr std::size_t most_steps = 2000; // more than there are dots in a plot's width
+constexpr std::size_t most_steps = 2000; // exceeds the horizontal resolution of a plot
 
-// In single quotes a quote is doubled, and nothing else has a meaning.
+// Quotes a Gnuplot string: in single quotes only the quote is special, and is doubled.
 std::string in_quotes(std::string_view text) {
   std::string result = "'";
   for (char const c : text) result += c == '\'' ? std::string("''") : std::string(1, c);
@@ -25,7 +25,7 @@ std::string terminal(std::string const &image) {
   fail(DiagnosticId::bad_option, {}, "the ending of '" + image + "' names no image: use .svg or .png");
 }
 
-// Where there are more than can be told apart, each step is as high as the highest of its own.
+// Data of a plot; if there are too many steps, each point is the maximum of several.
 std::string data(std::string const &name, Costs const &costs, LevelProfile const &profile) {
   std::size_t const width = (profile.size() + most_steps - 1) / most_steps;
   std::string text = "$" + name + " << END\n";

@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// What is tabulated; in the order of sweep_member.
+// Names of the figures, in the order of sweep_member.
 constexpr std::array<std::string_view, 7> names = {"operations",  "arithmetic",    "work", "span",
                                                    "parallelism", "critical_path", "peak"};
 

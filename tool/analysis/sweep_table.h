@@ -1,4 +1,4 @@
-// The figures of a family of programs by its size, and how they grow.
+// Figures of a family of programs by size, and their growth.
 #pragma once
 
 #include "engine/analysis/figures/figures.h"
@@ -11,7 +11,7 @@
 
 namespace symreal::tool {
 
-// "N=1..16", "N=1..64:4", "N=1,2,4,8": what the size is called, and its values in ascending order.
+// Name and values of the size, ascending: "N=1..16", "N=1..64:4", "N=1,2,4,8".
 struct SweepSizes {
   std::string name;
   std::vector<long> values;
@@ -21,7 +21,7 @@ SweepSizes parse_sweep(std::string const &text);
 
 struct SweepMember {
   long size;
-  std::vector<double> figures; // one for each of figure_names
+  std::vector<double> figures; // in the order of figure_names
 };
 std::vector<std::string_view> figure_names();
 SweepMember sweep_member(long size, Graph const &graph, Costs const &costs, Figures const &figures);

@@ -52,7 +52,7 @@ void print_verdict(std::ostream &out, Advice const &advice) {
 void print_advice(std::ostream &out, BlocksReport const &report) {
   Costs const &costs = *report.costs;
   std::uint32_t const count = report.kernel->blocks.count;
-  if (costs.scale == 1 || count < 2) return; // nothing was asked of a machine, or of threads
+  if (costs.scale == 1 || count < 2) return; // not measured on a machine, or only one block
   if (!costs.threads) {
     fmt::print(out, "Whether threads pay '{}' does not say; symreal measure-costs measures it.\n", costs.name);
     return;
@@ -62,7 +62,7 @@ void print_advice(std::ostream &out, BlocksReport const &report) {
     fmt::print(out, "Threads do not pay: the machine has one processor, on which they take turns.\n");
     return;
   }
-  internal_check(report.advice.has_value()); // measured threads, so there is advice
+  internal_check(report.advice.has_value()); // measured threads imply advice
   print_times(out, *report.advice);
   if (count > threads.processors)
     fmt::print(out, "The machine has {} processors: {} threads take turns on it. This is of one that has enough.\n",

@@ -1,4 +1,4 @@
-// Times for the user.
+// Formatting of times.
 #pragma once
 
 #include <fmt/format.h>
@@ -7,7 +7,7 @@
 
 namespace symreal::tool {
 
-// Three digits, in a unit that suits.
+// Three digits in a suitable unit.
 inline std::string time_text(double nanoseconds) {
   if (nanoseconds < 1e3) return fmt::format("{:.0f} ns", nanoseconds);
   if (nanoseconds < 1e6) return fmt::format("{:.3g} us", nanoseconds / 1e3);

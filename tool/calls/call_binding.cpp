@@ -34,7 +34,7 @@ public:
 
   CallBinding bind() {
     require_object();
-    for (CallParameter const &one : function_.parameters) // sizes may be made of integers
+    for (CallParameter const &one : function_.parameters) // integers first, as sizes may depend on them
       if (one.kind == Kind::integer) declare(one);
     for (CallParameter const &one : function_.parameters)
       if (one.kind != Kind::integer) declare(one);
@@ -72,7 +72,7 @@ private:
                           function_.object, function_.name));
   }
 
-  // The sections of an item, or the extents of the array that a pointer is declared as.
+  // Sections of an item, or else the extents of the array that a pointer is declared as.
   std::vector<Section> sections(Item const &item) const {
     CallParameter const *of = parameter(item.base);
     std::vector<Section> all = item.sections;
@@ -81,7 +81,7 @@ private:
     return all;
   }
 
-  // How many elements an argument needs so that all its items are there. Empty: no item says.
+  // Number of elements that an argument needs to cover all its items; empty if no item determines it.
   std::string count(CallParameter const &of, std::size_t dimension) const {
     std::vector<std::string> counts;
     for (Item const &item : spec_.items) {
@@ -100,7 +100,7 @@ private:
     return most;
   }
 
-  // The other member of an argument that the item is: `.next` of "*a->next[0:2]".
+  // The pointer, container or integer member that an item names: `.next` of "*a->next[0:2]".
   CallParameter::Member const *other_member(Item const &item) const {
     CallParameter const *of = parameter(item.base);
     if (!of) return nullptr;
@@ -115,7 +115,7 @@ private:
     return member && member->kind == CallParameter::Member::Kind::integer && item.sections.empty();
   }
 
-  // A pointer in a structure leads to an array of its own, and a container there has as many elements as are named.
+  // Gives a pointer member an array of its own, and a container member the elements that are named.
   void make_room(Item const &item) {
     CallParameter::Member const *member = other_member(item);
     if (!member || member->kind == CallParameter::Member::Kind::integer) return;
@@ -141,7 +141,7 @@ private:
       if (item.base == one.name) return &item;
     return nullptr;
   }
-  // The item that gives the whole argument a value.
+  // The item that gives a value to the whole argument.
   Item const *value_of(CallParameter const &one) const {
     for (Item const &item : spec_.items)
       if (item.base == one.name && is_whole(item) && item.kind != "output") return &item;
@@ -234,7 +234,7 @@ private:
   bool declare_by_value(CallParameter const &one, Place const &place) {
     Item const *value = value_of(one);
     if (!value || value->value.empty() || !value->sections.empty()) return false;
-    if (is_literal(value->value) && !value->is_list) return false; // of each element
+    if (is_literal(value->value) && !value->is_list) return false; // the value is for each element
     if (function_.is_c && !value->is_list) {
       add(place, "static " + with(one.variable, "$", one.name) + ";");
       add(place, fmt::format("{} = {};", one.name, value->value));
@@ -286,7 +286,7 @@ private:
     add(place, fmt::format("{} = {};", with(one.variable, "$", one.name), list_or(*value)));
   }
 
-  // What every number of an item is given.
+  // Initial value of every number of an item.
   std::string value_text(Item const &item) {
     if (item.range)
       return fmt::format("(({0}) + (({1}) - ({0})) * symreal_default())", item.range->first.text,
@@ -310,7 +310,7 @@ private:
     if (std::find(given_.begin(), given_.end(), of->name) != given_.end() && is_whole(item)) return;
     if (is_integer(item)) return fill_integer(item);
     std::vector<Section> const all = sections(item);
-    if (of->kind == Kind::pointer && all.empty() && is_whole(item)) return; // an address, or one object
+    if (of->kind == Kind::pointer && all.empty() && is_whole(item)) return; // a plain address, or a single object
     if (item.kind == "constant" && !item.has_value())
       return problem(item.text.place,
                      fmt::format("'{0}' is to be constant and has no value: write constant {0}=0.5", item.text.text));
@@ -325,7 +325,7 @@ private:
     add(item.text.place, fmt::format("{} = {};", item.path, item.value));
   }
 
-  // A variable of the file keeps the value that it has there, unless it is given one.
+  // Fills a file-scope variable if it is given a value; otherwise it keeps its own.
   void fill_other(Item const &item) {
     if (!item.has_value()) return;
     if (function_.has_this)
@@ -366,7 +366,7 @@ private:
     add(item.text.place, text + "}" + close);
   }
 
-  // The argument whose structures the item is, as a whole or each of them.
+  // The structure argument, or array of structures, that the item denotes.
   CallParameter const *structure(Item const &item) const {
     CallParameter const *of = parameter(item.base);
     bool const is_whole_one = item.path == item.base || item.path == "*" + item.base;
@@ -405,7 +405,7 @@ private:
     }
     std::string const list = fmt::format("({});", fmt::join(arguments, ", "));
     Place const &place = spec_.function.place;
-    if (function_.is_c && parameter(function_.name)) { // the argument hides the function
+    if (function_.is_c && parameter(function_.name)) { // the argument shadows the function
       binding_.before = fmt::format("static __typeof__(&{0}) const symreal_{0} = {0};", function_.name);
       return add(place, fmt::format("(void)symreal_{}{}", function_.name, list));
     }
@@ -446,7 +446,7 @@ private:
           clause("constant", text.place, {text});
         continue;
       }
-      // A parameter of preprocess is a number.
+      // Integer inputs become constants; integer parameters stay, since preprocess takes any number.
       clause(item.kind == "input" && is_integer(item) ? "constant" : item.kind, text.place, {text});
       if (item.range) clause("range", text.place, {item.range->first, item.range->second});
     }
@@ -457,7 +457,7 @@ private:
   CallSpec const &spec_;
   Callable const &function_;
   CallBinding binding_;
-  std::vector<std::string> given_; // arguments that were declared with their value
+  std::vector<std::string> given_; // arguments declared with their value
   std::vector<std::string> unnamed_names_;
   std::size_t unnamed_ = 0;
 };

@@ -1,4 +1,4 @@
-// A call of a kernel bound to the function that it calls: the statements that make it, and what else would be a pragma.
+// Binding of a kernel call to its function: the statements that make the call, and the equivalent of a pragma.
 #pragma once
 
 #include "rewrite/unit/callables.h"
@@ -12,19 +12,19 @@ namespace symreal::tool {
 struct CallBinding {
   struct Statement {
     std::string text; // one line
-    Place place;      // of the words that it comes from
+    Place place;      // of the words that it derives from
   };
-  std::string before; // a declaration at file scope, or nothing
+  std::string before; // declaration at file scope; may be empty
   std::vector<Statement> statements;
   rewrite::ConfiguredKernel kernel;
-  std::vector<std::string> unknown;  // names of items that are no arguments
-  std::vector<std::string> unvalued; // items whose values were chosen
-  std::vector<Diagnostic> problems;  // none: the function can be called so
+  std::vector<std::string> unknown;  // names of items that are not arguments
+  std::vector<std::string> unvalued; // items without a given value
+  std::vector<Diagnostic> problems;  // empty if the function can be called so
 };
 
 CallBinding bind_call(CallSpec const &spec, rewrite::Callable const &function);
 
-// What the statements use, in the language of the source.
+// Helpers that the statements use, in the language of the source.
 std::string binding_helpers(bool is_c);
 
 } // namespace symreal::tool

@@ -17,7 +17,7 @@ bool is_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c =
   fail(DiagnosticId::call_specification, place, message);
 }
 
-// A part of the text, and where it stands.
+// A part of the text, with its place.
 struct Part {
   std::string_view text;
   Place place;
@@ -39,7 +39,7 @@ struct Part {
   std::string string() const { return std::string(text); }
 };
 
-// Offsets of what stands outside of brackets and literals; the brackets must match.
+// Visits the offsets outside brackets and literals; brackets must match.
 template <class Visit> void each_outside(Part const &part, Visit visit) {
   std::vector<std::size_t> open;
   for (std::size_t i = 0; i < part.text.size(); ++i) {
@@ -78,7 +78,7 @@ std::vector<Part> split(Part const &part, char separator) {
   return parts;
 }
 
-// The bracket that the last character closes.
+// Offset of the bracket that the last character closes.
 std::size_t opening(Part const &part) {
   std::size_t open = 0;
   each_outside(part, [&](std::size_t i) {
@@ -87,7 +87,7 @@ std::size_t opening(Part const &part) {
   return open;
 }
 
-// What a pragma's items may have in their brackets: [low:length].
+// Parses an item as in a pragma, with sections [low:length].
 void read_item(Part const &part, CallSpec::Item &item) {
   if (part.text.empty()) refuse(part.place, "an item is missing here");
   item.text = {part.string(), part.place};
@@ -109,7 +109,7 @@ void read_item(Part const &part, CallSpec::Item &item) {
       if (depth == 0) break;
     }
     if (close == part.text.size()) refuse(part.from(open, open + 1).place, "this '[' is not closed");
-    if (colon == part.text.npos && (close + 1 < part.text.size() || open != end)) { // an index on the way to a member
+    if (colon == part.text.npos && (close + 1 < part.text.size() || open != end)) { // an index within a member path
       open = close + 1;
       continue;
     }
@@ -178,7 +178,7 @@ CallSpec::Item read_argument(Part part) {
   return item;
 }
 
-// Where the name of an operator function begins in the text, its scopes aside; npos: there is none.
+// Begin of an operator function's name, without scopes; npos for other functions.
 std::size_t operator_word(std::string_view text) {
   constexpr std::string_view word = "operator";
   for (std::size_t at = text.rfind(word); at != text.npos && text.size() > word.size();
@@ -189,7 +189,7 @@ std::size_t operator_word(std::string_view text) {
   return text.npos;
 }
 
-// The end of the operator function's name: behind its symbols, or the type that it converts to.
+// End of an operator function's name: behind its symbols or conversion type.
 std::size_t operator_end(std::string_view text, std::size_t word) {
   std::size_t at = word + std::string_view("operator").size();
   while (at < text.size() && text[at] == ' ') ++at;
@@ -201,7 +201,7 @@ std::size_t operator_end(std::string_view text, std::size_t word) {
   return std::min(text.find('(', at), text.size());
 }
 
-// Where scopes and name before `end` begin, with arguments of templates among the scopes.
+// Begin of the scoped name that ends at `end`, including template arguments.
 std::size_t scopes_begin(std::string_view text, std::size_t end) {
   std::size_t begin = end;
   for (int depth = 0; begin > 0; --begin) {
@@ -218,7 +218,7 @@ std::size_t scopes_begin(std::string_view text, std::size_t end) {
                          "f(x[0:3]=0.5, n=3) -> y[0:3]");
 }
 
-// name[<arguments>], where the name may have scopes.
+// Parses name[<arguments>]; the name may have scopes.
 void read_name(Part part, CallSpec &spec) {
   if (std::size_t const word = operator_word(part.text); word != part.text.npos) {
     if (scopes_begin(part.text, word) != 0) refuse_name(part);
@@ -230,7 +230,7 @@ void read_name(Part part, CallSpec &spec) {
   }
   Part name = part;
   if (part.text.ends_with('>')) {
-    std::size_t open = part.text.size(); // of the last brackets
+    std::size_t open = part.text.size(); // begin of the last brackets
     int depth = 0;
     do {
       --open;
@@ -246,7 +246,7 @@ void read_name(Part part, CallSpec &spec) {
   spec.function = {name.string(), name.place};
 }
 
-// [object.]name[(types)], or an object that is called.
+// Parses [object.]name[(types)], or an object that is called.
 void read_callee(Part part, CallSpec &spec) {
   std::size_t const word = operator_word(part.text);
   std::size_t const end = word == part.text.npos ? part.text.npos : operator_end(part.text, word);
@@ -273,7 +273,7 @@ void read_callee(Part part, CallSpec &spec) {
   read_name(part, spec);
 }
 
-// A name stands once among the arguments, and once among the outputs.
+// Refuses a name that occurs twice among the arguments, or twice among the outputs.
 void refuse_repetitions(CallSpec const &spec) {
   for (std::size_t k = 0; k < spec.items.size(); ++k)
     for (std::size_t j = 0; j < k; ++j) {
@@ -292,7 +292,7 @@ CallSpec parse_call_spec(ConfiguredText const &text) {
   Part const all = Part{text.text, text.place}.trimmed();
   CallSpec spec;
   std::size_t arrow = all.text.npos;
-  each_outside(all, [&](std::size_t i) { // that of body->x has no call before it
+  each_outside(all, [&](std::size_t i) { // the arrow of body->x follows no call
     bool const follows_call = all.text.substr(i, 2) == "->" && all.from(0, i).text.ends_with(')');
     if (follows_call && arrow == all.text.npos) arrow = i;
   });

@@ -1,4 +1,4 @@
-// A kernel that no program calls yet, in one line: the function, what it is given, and what is wanted of it.
+// One-line description of a call: a function, its arguments, and the wanted outputs.
 //
 //   inverse_dynamics(q[0:6]=0.3, qd[0:6]=-1..1, n=6, parameter m=1.2) -> tau[0:6]
 //   veh::Bicycle(2.7, 1.1).derivative(x[0:4]={1, 2, 3, 4}, u[0:2]) -> dx[0:4]
@@ -19,30 +19,30 @@ namespace symreal::tool {
 struct CallSpec {
   struct Item {
     std::string kind;             // input, parameter, constant, scratch or output
-    rewrite::ConfiguredText text; // the item of the pragma
-    std::string base;             // its first name
-    std::string path;             // what is before its sections
+    rewrite::ConfiguredText text; // the pragma's item
+    std::string base;             // first name in it
+    std::string path;             // text before its sections
     std::vector<rewrite::Section> sections;
-    std::vector<std::string> behind; // each of them
-    std::string value;               // an expression; of a list what stands between the braces; empty: none is given
+    std::vector<std::string> behind; // text behind each section
+    std::string value;               // an expression, or the elements of a braced list; empty if not given
     bool is_list = false;
     std::optional<std::pair<rewrite::ConfiguredText, rewrite::ConfiguredText>> range;
     bool has_value() const { return !value.empty() || range; }
   };
-  rewrite::ConfiguredText function;  // with its scopes, and without arguments of a template
-  std::string template_arguments;    // with their brackets; empty: none are given
-  std::string types;                 // of its parameters, in parentheses; empty: not said
-  std::optional<std::string> object; // the expression whose method it is
-  // f(a)(x) may be f with parameters of the types (a), or the call operator of an object; then this is the object.
+  rewrite::ConfiguredText function;  // with scopes, without template arguments
+  std::string template_arguments;    // with brackets; empty if not given
+  std::string types;                 // parameter types in parentheses; empty if not given
+  std::optional<std::string> object; // object expression of a method call
+  // f(a)(x) may be f with parameters of types (a), or the call operator of object f(a); then this is the object.
   std::string called_object;
-  std::vector<Item> items; // the outputs last
-  Place end;               // behind the last word
+  std::vector<Item> items; // outputs last
+  Place end;               // place behind the last word
 };
 
-// Is this more than the name of a kernel?
+// Is this a call rather than the name of a kernel?
 bool is_call_spec(std::string const &text);
 
-// `text` stands at its place, the first column of which is 1 on a command line. Throws call_specification.
+// Parses `text` at its place (column 1 is the first on a command line). Throws call_specification.
 CallSpec parse_call_spec(rewrite::ConfiguredText const &text);
 
 } // namespace symreal::tool

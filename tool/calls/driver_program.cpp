@@ -18,7 +18,7 @@ using rewrite::Callable;
 
 constexpr char const *other_main = "symreal_main_of_the_program";
 
-// A function and how it is called.
+// A function and its call.
 struct Call {
   Callable function;
   CallBinding binding;
@@ -29,7 +29,7 @@ std::string last_name(std::string const &qualified) {
   return colon == qualified.npos ? qualified : qualified.substr(colon + 1);
 }
 
-// Of a.b::c the scopes end in b.
+// Does the call name this function? For a method a.b::c, the function's scopes end in `b`.
 bool names(CallSpec const &spec, Callable const &function) {
   std::string wanted = spec.function.text;
   if (wanted.starts_with("::")) wanted = wanted.substr(2);
@@ -38,7 +38,7 @@ bool names(CallSpec const &spec, Callable const &function) {
                                function.with_inline.ends_with("::" + wanted));
 }
 
-// Where the object is made by naming its class.
+// Does the object expression construct the function's class by name?
 bool is_of_class(std::string const &object, Callable const &function) {
   std::string const named = object.substr(0, object.find_first_of("({<"));
   return function.object == named || function.object.ends_with("::" + named) ||
@@ -56,7 +56,7 @@ std::vector<Note> list(std::vector<Callable> const &functions) {
   return notes;
 }
 
-// The instance of a template that the words call.
+// The template instance that the call denotes.
 std::vector<Callable> instances(CallSpec const &spec, rewrite::Request const &request) {
   std::string const &name = spec.function.text;
   std::string const whole = name + spec.template_arguments;
@@ -115,7 +115,7 @@ Call choose(CallSpec const &spec, rewrite::Request const &request) {
     else
       problems = std::move(binding.problems);
   }
-  // A name that is an argument of one function may be a variable to another.
+  // Prefers the functions that leave the fewest names unknown: an argument of one may be a variable to another.
   std::size_t fewest = ~std::size_t{0};
   for (Call const &one : fitting) fewest = std::min(fewest, one.binding.unknown.size());
   std::erase_if(fitting, [&](Call const &one) { return one.binding.unknown.size() > fewest; });
@@ -131,7 +131,7 @@ Call choose(CallSpec const &spec, rewrite::Request const &request) {
        list(fitting.empty() ? candidates : shown));
 }
 
-// The driver beside one source: it takes the source's place among the program's.
+// Driver of one source, whose place in the program it takes.
 class Driver {
 public:
   Driver(rewrite::Compilation const &source, bool is_c) : is_c_(is_c) {
@@ -166,7 +166,7 @@ public:
 
   std::string const &path() const { return path_; }
   std::string const &text() const { return text_; }
-  // The words that a line comes from.
+  // Place of the words that a line derives from.
   Place place_of(unsigned line) const {
     auto const at = places_.find(line);
     return at == places_.end() ? Place() : at->second;
@@ -181,7 +181,7 @@ private:
   std::map<unsigned, Place> places_;
 };
 
-// Another source may have a main of its own.
+// Renames main in other sources.
 void rename_main(rewrite::Compilation &source) {
   std::string const path = rewrite::real_source(source);
   if (fs::exists(path) && read_file(path).find("main") != std::string::npos)
@@ -220,7 +220,7 @@ public:
     for (rewrite::Compilation const &one : source.compilations) source.sources.push_back(one.source);
   }
 
-  // What is wrong with a line of the driver is wrong with the words that it comes from.
+  // Moves a diagnostic on a driver line to the words that the line derives from.
   Diagnostic located(Diagnostic diagnostic) const {
     if (Driver const *driver = driver_of(diagnostic.place))
       if (Place const place = driver->place_of(diagnostic.place.line); !place.file.empty()) {
@@ -231,13 +231,13 @@ public:
     for (Note note : diagnostic.notes) {
       if (Driver const *driver = driver_of(note.place)) {
         note.place = driver->place_of(note.place.line);
-        if (note.place.file.empty()) continue; // the driver's own
+        if (note.place.file.empty()) continue; // a line of the driver itself
         if (note.message.starts_with("called from ")) note.message = "called from the driver program";
       }
       notes.push_back(std::move(note));
     }
     bool const is_here = driver_of(diagnostic.place) && !notes.empty();
-    if (is_here) { // in what the words use
+    if (is_here) { // the error is in a declaration that the words use
       diagnostic.place = notes.front().place;
       diagnostic.id = DiagnosticId::call_specification;
       notes.erase(notes.begin());
@@ -263,7 +263,7 @@ private:
   std::vector<Driver> drivers_;
 };
 
-// Of several calls the one whose function has this name.
+// The call of the kernel with this name; all calls if the name is empty.
 std::vector<rewrite::ConfiguredText> calls_of(std::vector<rewrite::ConfiguredText> const &calls,
                                               std::string const &kernel) {
   std::vector<rewrite::ConfiguredText> wanted;

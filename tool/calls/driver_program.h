@@ -1,4 +1,4 @@
-// The program that calls kernels which no program calls: main, beside the sources that define them. It lies in no file.
+// Driver program: a main, in no file, that calls kernels which no program calls yet, beside their sources.
 #pragma once
 
 #include "program/record/front.h"
@@ -10,11 +10,11 @@
 
 namespace symreal::tool {
 
-// What is done with a request, and how it talks.
+// Stages to run on a request.
 using Stages = std::function<void(program::FrontRequest const &request, program::Talk const &talk)>;
 
-// Runs the stages on the kernels that these words call (call_spec.h), without any of those that the sources have; where
-// there are no words, on the request as it is.
+// Runs the stages on the kernels that `calls` describe (call_spec.h), without the kernels of the sources; without
+// calls, on the unchanged request.
 void with_driver(program::FrontRequest request, std::vector<rewrite::ConfiguredText> const &calls, program::Talk talk,
                  Console &console, Stages const &stages);
 

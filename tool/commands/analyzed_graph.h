@@ -1,4 +1,4 @@
-// The graph that `analyze` and `plot` read: as it stands, or after passes.
+// The graph that `analyze` and `plot` read: unchanged, or after passes.
 #pragma once
 
 #include "engine/graph/graph.h"
@@ -10,7 +10,7 @@ namespace symreal::tool {
 
 void add_passes_before_analysis(CLI::App &command, PassOptions &passes);
 
-// Throws option_without_effect for a mode of passes where none are given.
+// Throws option_without_effect for a mode of passes without passes.
 Graph analyzed_graph(CLI::App const &command, PassOptions const &passes, std::string const &file);
 
 } // namespace symreal::tool

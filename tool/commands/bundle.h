@@ -1,4 +1,4 @@
-// --package and --fmu: what hands a kernel on whole, in place of source files.
+// --package and --fmu: self-contained bundles of a kernel in place of source files.
 #pragma once
 
 #include "tool/fmu/unit.h"
@@ -10,7 +10,7 @@
 namespace symreal::tool {
 
 struct Bundle {
-  OutputFolder package; // its path is empty where none is wanted
+  OutputFolder package; // empty path if not requested
   std::vector<OutputFile> units;
 
   std::vector<OutputFile> files() const;

@@ -19,7 +19,7 @@ std::string in_words(SnappedConstant const &constant) {
                      constant.uses, constant.uses == 1 ? "" : "s");
 }
 
-// Numbers that the driver has no code for.
+// Does the graph call external functions, which cannot be evaluated here?
 bool calls_out(Graph const &graph) {
   return std::ranges::any_of(graph.externals, [](External const &one) { return !find_complex_function(one); });
 }
@@ -42,7 +42,7 @@ void tell(Graph const &graph, std::vector<SnappedConstant> const &constants, Rep
           fmt::format("{} constants count as exact numbers", constants.size()), std::move(notes)});
 }
 
-// Of the outputs of one sample, the first that changes by more than the tolerance.
+// Finds the first output that changes by more than the tolerance.
 class Change {
 public:
   Change(Graph const &before, Graph const &after, double tolerance)
@@ -51,7 +51,7 @@ public:
         tolerance_(tolerance),
         exact_(before) {}
 
-  // In words; empty where there is none.
+  // Describes the change on a sample; empty if no output changes.
   std::string at(Sample const &sample) {
     Evaluation const old = evaluate_sample(before_, sample.inputs, sample.parameters);
     if (!old.premises.hold() || old.failing_guard < before_.guards.size()) return {};
@@ -95,7 +95,7 @@ void require_same_outputs(Graph const &recorded, Snapped const &snapped, double 
 std::size_t operations(Graph const &graph, PassSettings const &settings) {
   Graph const simple = pass_simplify(pass_cull(Graph(graph), settings), settings);
   std::vector<char> const live = live_nodes(simple);
-  OperationCounts counts; // without those on parameters
+  OperationCounts counts; // without operations on parameters
   for (std::size_t id = 0; id < simple.nodes.size(); ++id)
     if (live[id] && simple.nodes[id].attribute == Attribute::variable) ++counts[simple.nodes[id].op];
   return counts.arithmetic();

@@ -1,4 +1,4 @@
-// What --snap makes of a recorded graph, and what is said about it.
+// --snap: replaces constants of a recorded graph by nearby exact ones, and reports it.
 #pragma once
 
 #include "engine/diagnostics/diagnostic.h"
@@ -7,11 +7,11 @@
 
 namespace symreal::tool {
 
-// The graph with exact constants, each of which is reported. It is tried on samples: throws snap_changes_output where
-// an output changes by more than the tolerance.
+// The graph with exact constants, each reported. Samples check it: throws snap_changes_output if an output changes by
+// more than the tolerance.
 Graph with_exact_constants(Graph const &recorded, double distance, double tolerance, Report const &report);
 
-// What that would save in mode fast, by rules alone; nothing is said where it would save nothing.
+// Reports the operations that exact constants would save in mode fast, by rules alone, if any.
 void tell_of_exact_constants(Graph const &recorded, PassSettings const &settings, Report const &report);
 
 } // namespace symreal::tool

@@ -8,7 +8,7 @@
 namespace symreal::tool {
 namespace {
 
-// Prose to lines of at most 80 columns.
+// Wraps prose at 80 columns.
 std::string wrapped(std::string_view text) {
   constexpr std::size_t width = 80;
   std::string result;

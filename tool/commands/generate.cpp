@@ -52,7 +52,7 @@ struct Options {
 
 bool names_directory(std::string const &path) { return path.ends_with('/') || fs::is_directory(path); }
 
-// `name` is what the file is called where the option names a directory or is not given.
+// Path of an output. `name`: its name if the option is missing or names a directory.
 std::string place_output(std::string const &option, std::string const &name, bool several) {
   if (option.empty()) return name;
   bool directory = several || names_directory(option);
@@ -92,9 +92,9 @@ void require_sense(Options const &options) {
     fail(DiagnosticId::option_without_effect, {}, "--depfile has no effect with --check, which writes nothing");
 }
 
-// What can be known to fail before the work is done.
+// Checks the outputs before the work is done.
 void require_outputs(Options const &options) {
-  // With several kernels, which only the sources know, these may be directories still to be made.
+  // If there are several kernels, known only later, these may be directories still to be created.
   auto may_be_file = [](std::string const &path) { return !path.empty() && !names_directory(path); };
   if (options.check) return;
   if (may_be_file(options.output) && fs::path(options.output).has_extension())
@@ -105,7 +105,7 @@ void require_outputs(Options const &options) {
   require_writable(paths);
 }
 
-// The source files of a kernel.
+// Emits the source files of a kernel.
 void emit_sources(Wrappers &wrappers, program::Recorded const &recorded, Schedule const &plan, Options const &options,
                   bool several, Product &product) {
   std::string given = recorded.output_file.empty() ? recorded.kernel.name + ".c" : recorded.output_file;
@@ -126,7 +126,7 @@ void emit_sources(Wrappers &wrappers, program::Recorded const &recorded, Schedul
   product.files.insert(product.files.end(), wrapper.begin(), wrapper.end());
 }
 
-// The files of a kernel whose graph is laid out.
+// Emits the files of a kernel, given its schedule.
 void emit_files(Wrappers &wrappers, program::Recorded const &recorded, Schedule const &plan, Options const &options,
                 bool several, Product &product) {
   if (options.bundle.is_given())
@@ -135,7 +135,7 @@ void emit_files(Wrappers &wrappers, program::Recorded const &recorded, Schedule 
     emit_sources(wrappers, recorded, plan, options, several, product);
 }
 
-// The product's optimised graph, and how that is computed.
+// Optimises the product's graph and schedules it.
 Schedule planned(Product &product, Graph graph, Options const &options, Console &console) {
   auto const report = [&](Diagnostic const &one) { console.report(one); };
   product.optimised = options.reroll.is_given ? optimise_around_loops(std::move(graph), options.passes, options.emitter,
@@ -144,7 +144,7 @@ Schedule planned(Product &product, Graph graph, Options const &options, Console 
   return options.parallel.shared(schedule(product.optimised.graph, options.emitter.nesting()), product.sharing);
 }
 
-// With --separate: of the derivatives alone, in a file beside the kernel's.
+// The product of --separate: derivatives alone, in a file beside the kernel's.
 Product derivative_product(Wrappers &wrappers, program::Recorded const &recorded, std::size_t own_outputs,
                            Options options, bool several, Console &console) {
   Graph const &graph = recorded.graph;
@@ -174,8 +174,8 @@ bool accept_frozen(std::vector<program::Recorded> const &kernels, Options const 
   return false;
 }
 
-// The main job, a line a stage: sources to text with REAL (collect, decide), to programs, to recorded graphs, and each
-// of these to a smaller graph, to statements, to files. Nothing when an error was reported.
+// The main job, one line a stage: sources to rewritten text, to programs, to recorded graphs; and each graph to an
+// optimised one, to statements, to files. Nullopt after an error was reported.
 std::optional<std::vector<Product>> generate(program::FrontRequest const &request, Options const &options,
                                              program::Talk const &talk, Console &console, program::Front &front) {
   if (!program::rewrite_sources(request, front, talk)) return {};
@@ -229,11 +229,11 @@ void write_config(ProjectOptions const &project, std::vector<Lacking> const &lac
   console.note(file + " now has what the pragma lacks; check it, and run again");
 }
 
-// False if a file is not what it would be.
+// Writes the results; with --check, compares them and returns false if a file differs.
 bool write_results(std::vector<Product> const &products, program::Front const &front,
                    program::FrontRequest const &request, Options const &options) {
   if (options.check) return check_products(products);
-  if (options.wrapper) // of functions in headers
+  if (options.wrapper) // directories for functions in headers
     for (Product const &product : products)
       for (OutputFile const &file : product.files)
         if (fs::path const directory = fs::path(file.path).parent_path(); !directory.empty())

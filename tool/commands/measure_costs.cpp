@@ -21,7 +21,7 @@ struct Options {
 
 std::string first_line(std::string const &text) { return text.substr(0, text.find('\n')); }
 
-// The compiler in its own words, as other compilers measure other costs.
+// The compiler's version, recorded since other compilers measure other costs.
 std::string version_of(std::string const &compiler) {
   program::Captured const run = program::capture({{compiler, "--version"}});
   if (!run.outcome.success()) fail(DiagnosticId::compiler_missing, {}, "the compiler '" + compiler + "' cannot be run");
@@ -49,7 +49,7 @@ std::string output_of(Options const &options, Built const &built) {
   return measured.outcome.success() ? measured.output : "";
 }
 
-// What a program prints that is compiled and run; nothing if it crashes.
+// Compiles and runs a program; returns its output, empty if it crashes.
 std::string output_of(Options const &options, std::string_view program, std::string_view flags) {
   Built built;
   if (!build(options, program, flags, built))
@@ -58,7 +58,7 @@ std::string output_of(Options const &options, std::string_view program, std::str
   return output_of(options, built);
 }
 
-// What a region of sections costs, where the compiler has OpenMP.
+// Measures the cost of an OpenMP sections region, if the compiler has OpenMP.
 void measure_sections(Options const &options, ThreadCosts &threads) {
   Built built;
   if (build(options, sections_measuring_program(), sections_measuring_flags, built))

@@ -65,7 +65,7 @@ void require_sense(Options const &options) {
     fail(DiagnosticId::option_without_effect, {}, "--json prints to standard output: name the result's file with -o");
 }
 
-// What is read: a graph, or a schedule of one, which is laid out already.
+// Input of the command: a graph, or a schedule, which fixes the order of its operations.
 struct Input {
   Graph graph;
   std::optional<ReadSchedule> schedule;
@@ -156,7 +156,7 @@ void run(CLI::App &command, Options const &options) {
     }
   }
   if (options.statistics) print_table(std::cerr, report, true);
-  if (options.json) // labels are bytes of the source
+  if (options.json) // labels may be invalid UTF-8
     std::cout << to_json(report).dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << "\n";
 }
 

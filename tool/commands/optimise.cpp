@@ -26,7 +26,7 @@ Optimised optimise(Graph recorded, PassOptions const &options, Report const &rep
   Progress progress("passes", options.names().size());
   for (std::string const &pass : options.names()) {
     progress.add();
-    if (!find_pass(pass).runs_in(settings.mode)) continue; // nor is it a stage
+    if (!find_pass(pass).runs_in(settings.mode)) continue; // a skipped pass is not a stage
     result.graph = run_passes(std::move(result.graph), {&pass, 1}, settings);
     result.stages.push_back({pass, live_operations(result.graph)});
   }

@@ -1,4 +1,4 @@
-// The back half of every run: recorded graph ──passes──▶ optimised graph, with what each pass did.
+// Optimiser of every run: recorded graph ──passes──▶ optimised graph, with the effect of each pass.
 #pragma once
 
 #include "engine/plan/reroll/reroll.h"
@@ -16,13 +16,13 @@ struct Optimised {
   Graph graph;
   std::vector<Stage> stages;
   RecordedCounts recorded;
-  std::optional<Rerolled> loops = {}; // of the graph, on whose bodies passes are yet to work
+  std::optional<Rerolled> loops = {}; // loops of the graph, before passes on their bodies
 };
-// Remarks go to standard error unless `report` takes them. Without `searches` structure recovery stops behind its first
-// step.
+// Runs the passes. Remarks go to `report`, or else standard error. Without `searches`, structure recovery stops after
+// its first step.
 Optimised optimise(Graph recorded, PassOptions const &options, Report const &report = {}, bool searches = true);
 
-// For --reroll: in mode fast structure recovery does not search where that leaves loops in the graph as it is emitted.
+// Optimises for --reroll: in mode fast, structure recovery skips its search if the emitted graph then has loops.
 Optimised optimise_around_loops(Graph recorded, PassOptions const &options, EmitterOptions const &emitter,
                                 std::vector<Language const *> const &languages, Report const &report = {});
 

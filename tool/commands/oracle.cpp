@@ -77,7 +77,7 @@ std::optional<Diagnostic> failure_of(Graph const &graph, program::OracleComparis
 }
 
 struct Recordings {
-  std::vector<Graph> graphs, by_oracle; // of the kernels, in one order
+  std::vector<Graph> graphs, by_oracle; // of the kernels, in the same order
 };
 
 std::vector<Graph> graphs_of(std::vector<program::Recorded> kernels) {
@@ -86,7 +86,7 @@ std::vector<Graph> graphs_of(std::vector<program::Recorded> kernels) {
   return graphs;
 }
 
-// Nothing when an error was reported.
+// Records the kernels twice; nullopt after an error was reported.
 std::optional<Recordings> record(program::FrontRequest const &request, Options const &options, Console &console) {
   std::optional<Recordings> recordings;
   with_driver(request, options.source.project.calls, console.talk(), console,

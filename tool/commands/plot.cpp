@@ -21,7 +21,7 @@ struct Options {
   PassOptions passes;
 };
 
-// What Gnuplot makes of the script, which writes `image`.
+// Runs Gnuplot on the script, which writes `image`; returns the image.
 std::string drawn(program::Workspace const &workspace, std::string const &script, std::string const &image) {
   std::string const file = workspace.file("plot.gp");
   write_if_changed(file, script);

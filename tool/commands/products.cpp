@@ -10,7 +10,7 @@ namespace symreal::tool {
 
 namespace {
 
-// What is handed on whole comes first.
+// All files of a product, bundles first.
 std::vector<OutputFile const *> all_files(Product const &product) {
   std::vector<OutputFile const *> all;
   for (auto const *list : {&product.bundle.package.files, &product.bundle.units, &product.files})

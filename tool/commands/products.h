@@ -1,4 +1,4 @@
-// What `generate` gives of each kernel, as it is written and as it is told.
+// Products of `generate`, one for each kernel, and their output.
 #pragma once
 
 #include "program/record/front.h"
@@ -16,24 +16,24 @@ struct Product {
   std::vector<OutputFile> files = {};
   Bundle bundle = {};
   std::vector<Diagnostic> warnings = {};
-  std::string sharing = {};                   // what threads that share an evaluation give, in words
-  std::string loops = {};                     // how much of it loops hold, in words
-  std::optional<OperationCounts> looped = {}; // what compute does in loops and between them
-  std::string lanes = {};                     // how much of it vectors hold, in words
-  std::string angles = {};                    // whose sines and cosines it begins with, in words
+  std::string sharing = {};                   // gain of threads that share an evaluation, in words
+  std::string loops = {};                     // share of the code in loops, in words
+  std::optional<OperationCounts> looped = {}; // operations of compute inside and outside loops
+  std::string lanes = {};                     // share of the code in vectors, in words
+  std::string angles = {};                    // angles whose sines and cosines are computed first, in words
   std::optional<program::Exploration> exploration = {};
   double seconds = 0;
 };
 
-// Does the disk hold these files? Writes nothing.
+// Are these files on disk with the same content? Writes nothing.
 bool check_products(std::vector<Product> const &products);
 
-// All files, below directories that are made where there are none.
+// All files of the products, with the directories to create.
 Outputs outputs_of(std::vector<Product> const &products, std::vector<std::string> const &directories);
-// Of the file that a rule of make names the product by.
+// Path of the file that names the product in a make rule.
 std::string first_path(Product const &product);
 
-// The table, and as JSON on standard output.
+// Prints the table, or JSON on standard output.
 void show_products(std::vector<Product> const &products, program::Front const &front, bool details, bool as_json);
 
 } // namespace symreal::tool

@@ -21,7 +21,7 @@ struct Options {
   FrozenOption frozen;
 };
 
-// Named from here, wherever it runs.
+// Absolute path, since the program runs in another directory.
 std::string program_path(std::string const &name) {
   return name.find('/') == name.npos ? name : std::filesystem::absolute(name).string();
 }

@@ -47,8 +47,7 @@ bool is_below(std::string const &path, fs::path const &directory) {
   return path.starts_with((directory / "").string());
 }
 
-// Where the mirror's top is in the user's tree: the --root that has all files below it, else the deepest directory that
-// has them all.
+// Top of the mirror in the user's tree: the --root that contains all files, else their deepest common directory.
 std::string top_of(std::vector<rewrite::File> const &files, std::vector<std::string> const &roots) {
   for (std::string const &root : roots) {
     std::error_code error;
@@ -69,15 +68,15 @@ void write_mirror(std::vector<rewrite::File> const &files, std::string const &di
   write_outputs(outputs);
 }
 
-// Does this concern its own place alone? Where two sources want one file rewritten in different ways, or a pragma is
-// not understood, there is no text to show.
+// Does this error leave a text to show? Not if it concerns a whole file: conflicting rewrites by two sources, or a
+// pragma that cannot be parsed.
 bool leaves_a_text(Diagnostic const &one) {
   bool const is_of_a_place = one.id >= DiagnosticId::boundary_function && one.id <= DiagnosticId::unaccounted_double;
   return is_of_a_place || one.id == DiagnosticId::source_error || one.id == DiagnosticId::class_layout ||
          one.id == DiagnosticId::evaluation_order;
 }
 
-// Tells what stands in the way, and how far the text goes all the same.
+// Prints the diagnostics; the status says how far the rewriting goes.
 Status report(rewrite::Result const &result) {
   Status status = result.left_out.empty() ? clean : partly_skipped;
   for (Diagnostic const &diagnostic : result.diagnostics) {
@@ -93,7 +92,7 @@ void run(CLI::App &command, Options &options, Session &session) {
   options.project.configure(command, session.configured);
   if (options.diff + options.in_place + !options.out_root.empty() + !options.fixes.empty() != 1)
     fail(DiagnosticId::bad_option, {}, "choose one of --diff, --out-root, --in-place and --export-fixes");
-  // What is only looked at is shown as far as it goes.
+  // A preview shows as much as could be rewritten.
   bool const only_shows = options.diff || !options.out_root.empty();
   rewrite::Request request = only_rewritten(options.project.complete(session.flags));
   request.leave_out_broken = only_shows;

@@ -18,7 +18,7 @@ struct Options {
   std::string kernel, compiler = "c++";
 };
 
-// What a compiler refuses is in the way as well.
+// Adds the compiler's errors in symbolic mode to the obstacles.
 void compile(rewrite::Request const &request, Options const &options, rewrite::Result &result) {
   program::BuildRequest build;
   build.compiler = options.compiler;

@@ -1,5 +1,5 @@
-// A subcommand is a file and a row of subcommands.def. It adds itself to the command line; its callback runs it and
-// sets the exit status.
+// Subcommands: each is a source file and a row of subcommands.def, adds itself to the command line, and has a callback
+// that runs it and sets the exit status.
 #pragma once
 
 #include "tool/options/options.h"
@@ -10,16 +10,16 @@ namespace symreal::tool {
 enum Status { clean = 0, error = 1, partly_skipped = 2, verification_failed = 3, out_of_date = 4 };
 
 struct Session {
-  CompilerFlags flags; // what stood after --
+  CompilerFlags flags; // flags after --
   int status = clean;
-  ConfiguredOptions configured = {}; // options that the project's configuration gave
+  ConfiguredOptions configured = {}; // options set by the project's configuration
 };
 
 #define SUBCOMMAND(name) void add_##name(CLI::App &app, Session &session);
 #include "tool/commands/subcommands.def"
 #undef SUBCOMMAND
 
-// Compiler flags given to a subcommand that compiles nothing would do nothing.
+// Refuses compiler flags for a subcommand that compiles nothing.
 void refuse_flags(Session const &session);
 
 } // namespace symreal::tool

@@ -8,7 +8,7 @@
 namespace symreal::tool {
 namespace {
 
-// What all members of a family have in common: objects by role, name and number of extents.
+// Interface that all members of a family share: objects by role, name and number of extents.
 std::vector<std::string> interface_of(Graph const &graph) {
   std::vector<std::string> words;
   auto const add = [&](char const *role, std::vector<Object> const &objects) {
@@ -61,7 +61,7 @@ Graph single_graph(program::Front &front, SweepSizes const &sizes, long size) {
   return std::move(front.kernels.front().graph);
 }
 
-// The program of the size is rewritten and built only where it is another one.
+// Records one size; rewrites and builds the program only if the size changes it.
 bool record_size(program::FrontRequest request, SweepRequest const &sweep, long size, program::Talk const &talk,
                  program::Front &front) {
   if (sweep.as_argument) request.run.arguments.push_back(std::to_string(size));

@@ -14,7 +14,7 @@ void add_undo(CLI::App &app, Session &session) {
   command->callback([directory, &session] {
     refuse_flags(session);
     program::Recovery const recovery = recover(*directory);
-    // With that the tree is what it was before already.
+    // Recovery alone has already restored the tree.
     if (recovery == program::Recovery::taken_back || recovery == program::Recovery::undone) return;
     for (std::string const &file : program::undo_tree(*directory)) std::cout << file << "\n";
   });

@@ -41,7 +41,7 @@ struct Options {
   bool json = false, bisect = false, merge = false;
 };
 
-// "K/N", from 1.
+// Parses "K/N"; K counts from 1.
 program::Shard parse_shard(std::string const &text) {
   std::size_t const slash = text.find('/');
   auto const number = [&](std::string const &digits) -> std::size_t {
@@ -77,7 +77,7 @@ int run_numeric(CLI::App &command, Options &options, Session &session) {
                         options.source.front.keep, session);
 }
 
-// The generated files end the list. The last one is taken for one in any case: what is wrong with it will be told.
+// Takes the generated files from the end of the list, the last one in any case: errors in it are reported later.
 std::vector<std::string> take_generated(std::vector<std::string> &files) {
   auto first = files.end();
   while (first != files.begin() && program::is_generated(*(first - 1))) --first;
@@ -87,7 +87,7 @@ std::vector<std::string> take_generated(std::vector<std::string> &files) {
   return generated;
 }
 
-// The programs, recorded as a generated file was.
+// Builds and records the programs under the options of the generated file's banner.
 std::optional<program::Front> make_front(Options const &options, Session &session, program::Banner const &banner,
                                          program::RunOptions &run, Console &console) {
   program::FrontRequest request = options.source.request(session.flags);
@@ -107,7 +107,7 @@ std::optional<program::Front> make_front(Options const &options, Session &sessio
   return front;
 }
 
-// The wrapper that lies beside the generated file: a file, or a directory of copies.
+// Path of the wrapper beside the generated file: a file, or a directory of copies.
 std::optional<std::string> find_wrapper(std::string const &generated, rewrite::Kernel const &kernel) {
   fs::path const stem = fs::path(generated).replace_extension().string() + "_wrapper";
   for (std::string const &suffix :
@@ -120,7 +120,7 @@ std::optional<std::string> find_wrapper(std::string const &generated, rewrite::K
   return {};
 }
 
-// Does it? One that belongs to another kernel is refused.
+// Is there a wrapper of this kernel? Throws for one of another kernel.
 bool has_wrapper(program::Front &front, program::RunOptions const &run, std::string const &generated,
                  program::Recorded const &recorded) {
   if (!recorded.kernel.is_function || program::is_generated_cpp(generated)) return false;
@@ -134,7 +134,7 @@ bool has_wrapper(program::Front &front, program::RunOptions const &run, std::str
   return true;
 }
 
-// Which pass makes the difference, for the user.
+// Describes the pass that makes the difference.
 std::string bisected(program::Recorded const &recorded, program::Banner const &banner,
                      program::Verification const &verification, program::VerificationOptions const &options) {
   auto const output = std::ranges::find_if(verification.outputs, [](auto const &one) { return one.different != 0; });
@@ -166,7 +166,7 @@ void note_other_mathematics(std::string const &made, std::string const &before, 
   if (std::string const other = other_mathematics(made, before, now); !other.empty()) console.note(other);
 }
 
-// Whether the run confirms the certificate.
+// Does the run confirm the certificate?
 bool confirms(std::string const &path, nlohmann::ordered_json const &wanted, nlohmann::ordered_json const &run,
               Console &console) {
   std::vector<std::string> const found = differences(wanted, run);
@@ -182,7 +182,7 @@ bool confirms(std::string const &path, nlohmann::ordered_json const &wanted, nlo
   return false;
 }
 
-// Code of chosen paths is recorded again by the same samples.
+// Requires the sample table of code with --paths-met, which the same samples must record again.
 void require_table(std::string const &table, std::vector<std::string> const &generated,
                    std::vector<program::Banner> const &banners) {
   bool is_used = false;

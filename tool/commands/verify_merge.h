@@ -1,4 +1,4 @@
-// verify --merge: the results of all shards of a verification as one.
+// verify --merge: joins the results of all shards of a verification.
 #pragma once
 
 #include "tool/commands/subcommands.h"
@@ -8,7 +8,7 @@
 
 namespace symreal::tool {
 
-// `command` is verify, whose other options would have no effect. Returns the exit status.
+// `command`: verify, whose other options would have no effect. Returns the exit status.
 int verify_merge(CLI::App const &command, std::vector<std::string> const &files, bool json, Session const &session);
 
 } // namespace symreal::tool

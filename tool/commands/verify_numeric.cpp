@@ -28,8 +28,7 @@ int verify_numeric(CLI::App const &command, NumericOptions const &options, Proje
   std::vector<rewrite::Compilation> sources = rewrite::compilations_of(request);
   std::size_t const asked = sources.size();
   rewrite::Result const rewritten = rewrite::run(request);
-  // What stands in the way of the symbolic program, such as a function that is defined elsewhere, does not concern the
-  // numeric one.
+  // Obstacles to the symbolic program, such as functions defined elsewhere, do not affect the numeric one.
   std::size_t obstacles = 0;
   for (Diagnostic const &diagnostic : rewritten.diagnostics) {
     bool const is_obstacle = diagnostic.severity == Severity::error && diagnostic.id != DiagnosticId::source_error;

@@ -1,4 +1,4 @@
-// verify --numeric: object code before and after the rewriting.
+// verify --numeric: compares object code before and after rewriting.
 #pragma once
 
 #include "tool/commands/subcommands.h"
@@ -13,7 +13,7 @@ struct NumericOptions {
   void add_to(CLI::App &app);
 };
 
-// `command` is verify, whose other options would have no effect. Returns the exit status.
+// `command`: verify, whose other options would have no effect. Returns the exit status.
 int verify_numeric(CLI::App const &command, NumericOptions const &options, ProjectOptions const &project,
                    std::string const &cxx_compiler, bool keep, Session const &session);
 

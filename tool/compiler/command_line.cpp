@@ -45,8 +45,8 @@ Words expanded(Words const &arguments, unsigned depth = 0) {
   return words;
 }
 
-// As CMake gives clang headers that were compiled ahead: before they were rewritten, so they are no use. The header
-// itself is named as well.
+// Is this a precompiled header that CMake passes to clang? It is useless, since it was made before rewriting; the
+// header itself is named as well.
 bool is_compiled_ahead(DriverOption const &option, DriverOption const &next) {
   return option.name == "-Xclang" && option.value.starts_with("-include") && next.name == "-Xclang";
 }
@@ -67,12 +67,12 @@ public:
       } else if (!action(option) && !output(option) && !dependencies(option))
         rewrite::append(line_.flags, option, line_.words);
     }
-    if (line_.inputs.empty()) line_.action = Action::other; // -v, or an error that the compiler finds itself
+    if (line_.inputs.empty()) line_.action = Action::other; // -v, or an error that the compiler reports itself
     return std::move(line_);
   }
 
 private:
-  // Whichever stops earliest counts.
+  // Records an action; the one that stops earliest counts.
   void stop_at(Action action) {
     if (line_.action == Action::other) return;
     line_.action = line_.action == Action::link ? action : std::max(line_.action, action);
@@ -123,7 +123,7 @@ private:
   }
 
   CommandLine line_;
-  std::string language_; // of -x
+  std::string language_; // argument of -x
   Language const c_ending_;
 };
 

@@ -1,4 +1,4 @@
-// A compiler's command line, as far as what stands in front of the compiler must understand it.
+// Parser of a compiler's command line, as far as a compiler wrapper must understand it.
 #pragma once
 
 #include <string>
@@ -14,7 +14,7 @@ enum class Action {
   assembly,   // -S
   preprocess, // -E
   check,      // -fsyntax-only
-  other,      // nothing is compiled: -M, --version, -print-search-dirs, ...
+  other,      // compiles nothing: -M, --version, -print-search-dirs, ...
 };
 
 enum class Language { c, cxx, preprocessed, header, other };
@@ -22,28 +22,28 @@ enum class Language { c, cxx, preprocessed, header, other };
 struct Input {
   std::string name;
   Language language;
-  std::size_t word; // where it stands in CommandLine::words
+  std::size_t word; // index in CommandLine::words
 };
 
-// -MD and -MMD, and how the file is to look.
+// Options of the dependency file: -MD, -MMD, and its form.
 struct DependencyOptions {
   bool wanted = false;
-  bool system = false; // headers of the system too
+  bool system = false; // include system headers
   bool phony = false;  // -MP
   std::string file;    // empty: named after the output
   Words targets;       // with make's escapes
 };
 
 struct CommandLine {
-  Words words; // all of it, response files read
-  Words flags; // without inputs, action, output, language and dependencies
+  Words words; // all words, with response files expanded
+  Words flags; // words without inputs, action, output, language and dependencies
   std::vector<Input> inputs;
   Action action = Action::link;
   std::string output;
   DependencyOptions dependencies;
 };
 
-// `c_ending` is the language of a file whose name ends in .c.
+// `c_ending`: language of files whose names end in .c.
 CommandLine parse(Words const &arguments, Language c_ending);
 
 } // namespace symreal::compiler

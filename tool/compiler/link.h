@@ -4,7 +4,7 @@
 
 namespace symreal::compiler {
 
-// Links with what a symbolic program needs; returns the exit status.
+// Links a symbolic program with its runtime; returns the exit status.
 int link(Words const &compiler, Words words);
 
 } // namespace symreal::compiler

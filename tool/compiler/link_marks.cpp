@@ -36,7 +36,7 @@ std::string link_marks(rewrite::Result const &rewritten) {
     text += "extern \"C\" __attribute__((weak, visibility(\"default\"))) char const " + mark(mangled) + " = 0;\n";
   for (rewrite::Boundary const &boundary : rewritten.boundaries) {
     std::string const name = mark(boundary.mangled);
-    // The linker names the place of the use.
+    // The #line directive makes the linker name the place of the use.
     text += "extern \"C\" char const " + name + ";\n#line " + std::to_string(boundary.use.line) + " " +
             in_quotes(boundary.use.file) + "\n__attribute__((used)) static char const *const symreal_needs_" + name +
             " = &" + name + ";\n";

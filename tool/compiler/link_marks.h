@@ -1,7 +1,7 @@
-// Law 4 at link time. A name with C linkage, or one that only mentions REAL in a class, is the same in numeric and in
-// symbolic mode, so a library that works on double would be linked without a word. Therefore each object defines a mark
-// for each function on REAL that it defines, and refers to the mark of each one that it uses from elsewhere: where only
-// a numeric object defines the function, the mark stays undefined.
+// Link marks, which keep symbolic code from linking with numeric code. Names with C linkage, and names that mention
+// REAL only within a class, are equal in both modes, so a library on double would be linked silently. Therefore an
+// object defines a mark for each function on REAL that it defines, and refers to the mark of each that it uses from
+// elsewhere: if only a numeric object defines the function, the mark stays undefined.
 #pragma once
 
 #include "rewrite/rewrite.h"
@@ -11,10 +11,10 @@
 
 namespace symreal::compiler {
 
-// To stand at the end of the rewritten source.
+// Text of the marks, to append to the rewritten source.
 std::string link_marks(rewrite::Result const &rewritten);
 
-// The functions whose marks the linker misses, by its messages.
+// Functions whose marks are undefined, parsed from the linker's messages.
 std::set<std::string> missing_marks(std::string const &linker_output);
 
 } // namespace symreal::compiler

@@ -41,7 +41,7 @@ int pass_on(Words words, Words const &arguments) {
   fail(DiagnosticId::compiler_missing, {}, "'" + words[0] + "' cannot be started: " + std::strerror(errno));
 }
 
-// -x and its operand, or both in one word, become options that do nothing, so that the other words keep their numbers.
+// Replaces -x and its operand by options without effect, so that other words keep their indices.
 void forget_language(Words &words) {
   for (rewrite::DriverOption const &option : rewrite::driver_options(words))
     if (option.about == rewrite::About::language)
@@ -50,11 +50,11 @@ void forget_language(Words &words) {
 
 enum class Way { as_it_is, preprocessed, symbolic };
 
-// An input and how it is compiled.
+// An input and the way it is compiled.
 struct Source {
   Input input;
   Way way;
-  Words roots; // of a symbolic one
+  Words roots; // of a symbolic source
   rewrite::Exclusion exclude = {};
 };
 
@@ -91,7 +91,7 @@ public:
     bool symbolic = false, header = false;
     for (Source const &source : sources_) {
       symbolic |= source.way != Way::as_it_is;
-      header |= source.input.language == Language::header; // compiled ahead: nothing is linked
+      header |= source.input.language == Language::header; // a precompiled header: nothing is linked
     }
     if (line_.action == Action::link && !header && !is_probe(".")) return compile_and_link();
     if (!symbolic || line_.action == Action::other || line_.action == Action::link) return pass_on(own_, arguments_);
@@ -121,7 +121,7 @@ private:
   int compile_and_link() {
     std::optional<program::Workspace> workspace;
     Words words = line_.words;
-    forget_language(words); // the inputs become objects
+    forget_language(words); // the inputs are objects from here on
     for (Source const &source : sources_) {
       if (source.input.language == Language::other) continue;
       if (!workspace) workspace.emplace(false);

@@ -28,7 +28,7 @@ bool holds_one(fs::path const &directory, std::initializer_list<char const *> na
 }
 
 fs::path project_of(fs::path const &source) {
-  fs::path built = source.parent_path(); // where a build is described, the highest
+  fs::path built = source.parent_path(); // the highest directory that describes a build
   for (fs::path at = built; at.has_relative_path(); at = at.parent_path()) {
     if (holds_one(at, {".symreal.yaml", ".git", ".hg", ".svn"})) return at;
     if (holds_one(at, {"CMakeLists.txt", "meson.build", "configure", "Makefile", "GNUmakefile"})) built = at;

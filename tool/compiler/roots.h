@@ -1,4 +1,4 @@
-// Which sources are rewritten, and which are the build's own questions to the compiler.
+// Choice of the sources to rewrite, as opposed to the build's own compiler probes.
 #pragma once
 
 #include "rewrite/rewrite.h"
@@ -6,16 +6,16 @@
 
 namespace symreal::compiler {
 
-// $SYMREAL_ROOTS, directories separated by colons, or the directory of the project that the source belongs to: the
-// nearest above it that holds .symreal.yaml or is the top of a repository, else the highest that says how to build it
-// (CMakeLists.txt, meson.build, configure, Makefile), else its own. Empty if the source lies outside $SYMREAL_ROOTS.
+// Roots of a source: $SYMREAL_ROOTS, directories separated by colons, or else the source's project: the nearest parent
+// with .symreal.yaml or a repository's top, else the highest that describes a build (CMakeLists.txt, meson.build,
+// configure, Makefile), else its own directory. Empty if the source lies outside $SYMREAL_ROOTS.
 Words roots_of(std::string const &source);
 
-// What the source's .symreal.yaml leaves as it is.
+// Exclusions of the source's .symreal.yaml.
 rewrite::Exclusion exclusion_of(std::string const &source);
 
-// CMake, Meson and configure try what the compiler can do with small files of their own. The answers are to be those
-// that the numeric build gets.
+// Is the source a probe by which CMake, Meson or configure tests the compiler? The answers must be those of the numeric
+// build.
 bool is_probe(std::string const &source);
 
 } // namespace symreal::compiler

@@ -28,12 +28,12 @@ using program::Workspace;
 
 void append(Words &words, Words const &more) { words.insert(words.end(), more.begin(), more.end()); }
 
-// What is defined in other sources is known when they are linked.
+// Diagnostics about definitions in other sources are left to link time.
 bool is_for_the_linker(Diagnostic const &diagnostic) { return diagnostic.id == DiagnosticId::boundary_function; }
 
 std::string real_path(Translation const &translation) { return fs::weakly_canonical(translation.source.name).string(); }
 
-// The source as the rewriter and the compiler of its own language take it.
+// The source as the rewriter and its own language's compiler read it.
 rewrite::Compilation compilation(Translation const &translation, CommandLine const &line) {
   rewrite::Compilation source{translation.source.name, {}, line.flags};
   if (translation.source.language == Language::cxx) append(source.flags, {"-x", "c++"});
@@ -61,7 +61,7 @@ std::optional<rewrite::Result> rewritten(Translation const &translation, Command
   return result;
 }
 
-// The names of files of the overlay, as the compiler would tell them without it.
+// Maps names of overlay files to the names that a compiler would report without the overlay.
 class Names {
 public:
   Names(rewrite::Result const &rewritten, std::string top) : rewritten_(rewritten), top_(std::move(top)) {}
@@ -74,16 +74,16 @@ public:
     return path;
   }
 
-  // Is it a file of the user that was rewritten, but is read as it was?
+  // The file, if it was rewritten but this name leads to the original.
   rewrite::File const *read_unchanged(std::string const &name) const {
     std::error_code error;
-    std::string const real = fs::weakly_canonical(name, error).string(); // below top_ unless it is a link out of there
+    std::string const real = fs::weakly_canonical(name, error).string(); // below top_ unless a link leads out of it
     for (rewrite::File const &file : rewritten_.files)
       if (file.path == real && file.text != file.original) return &file;
     return nullptr;
   }
 
-  // Of a preprocessed text: # 12 "name" 2
+  // Maps the names in line markers of a preprocessed text: # 12 "name" 2
   std::string line_markers(std::string const &text) const {
     std::string result;
     for (std::size_t begin = 0; begin < text.size();) {
@@ -125,7 +125,7 @@ bool succeeded(program::Captured const &done, Words const &words, Overlay const 
   return false;
 }
 
-// Headers that the compiler reads past the overlay would mix the two modes.
+// Reports headers that the compiler reads outside the overlay, which would mix the two modes.
 bool all_rewritten(Words const &dependencies, Names const &names, std::string const &source) {
   for (std::string const &one : dependencies)
     if (rewrite::File const *file = names.read_unchanged(one)) {
@@ -138,7 +138,7 @@ bool all_rewritten(Words const &dependencies, Names const &names, std::string co
   return true;
 }
 
-// As compilers do it: in place, since the name may be that of a device.
+// Writes in place, as compilers do, since `output` may be a device.
 void deliver(std::string const &text, std::string const &output) {
   if (output.empty() || output == "-") {
     std::cout << text << std::flush;
@@ -193,7 +193,7 @@ void remove_output(Translation const &translation) {
   if (fs::is_regular_file(translation.output, ignored)) fs::remove(translation.output, ignored);
 }
 
-// Whether no output takes the place of a file that is read.
+// Does no output replace a file that is read?
 bool is_apart(Translation const &translation, CommandLine const &line, Words const &read) {
   Words outputs = {translation.output};
   if (line.dependencies.wanted) outputs.push_back(completed(line, translation.source.name).file);

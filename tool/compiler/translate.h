@@ -1,4 +1,4 @@
-// One source: rewritten, and compiled in symbolic mode.
+// Translation of one source: rewrites it and compiles it in symbolic mode.
 #pragma once
 
 #include "rewrite/rewrite.h"
@@ -7,18 +7,18 @@
 namespace symreal::compiler {
 
 struct Translation {
-  Words compiler; // the host's, of C++
+  Words compiler; // the host's C++ compiler
   Input source;
   Words roots;
   rewrite::Exclusion exclude;
-  Action action; // not link
+  Action action; // other than link
   std::string output;
 };
 
-// Whether it went well; else all is reported, and there is no output.
+// Translates a source. Returns false without output after reporting errors.
 bool translate(Translation const &translation, CommandLine const &line);
 
-// The same for what `translate` has preprocessed before, by itself or on another machine.
+// Compiles a source that `translate` has preprocessed, here or on another machine.
 bool compile_preprocessed(Translation const &translation, CommandLine const &line);
 
 // Is this a text that `translate` has preprocessed?

@@ -10,7 +10,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// As messages name it: from here, if it is below.
+// File name for messages: relative if the file is below the current directory.
 std::string shown(fs::path const &file) {
   fs::path const near = file.lexically_proximate(fs::current_path());
   return near.begin() != near.end() && *near.begin() == ".." ? file.string() : near.string();
@@ -22,7 +22,7 @@ Configuration::Option read_option(Yaml::Entry const &entry) {
   return option;
 }
 
-// Those that say where the configuration itself is, or that have a key of their own.
+// Is the option excluded from `options`, since it locates the configuration or has a key of its own?
 bool has_own_key(std::string const &name) {
   return name == "config" || name == "root" || name == "type-name" || name == "help" || name == "numeric";
 }
@@ -68,7 +68,7 @@ std::string find_configuration(std::string const &directory) {
 
 Configuration read_configuration(std::string const &file) {
   Configuration result;
-  std::error_code is_no_file; // a pipe has no other name
+  std::error_code is_no_file; // a pipe has no canonical name
   fs::path const canonical = fs::weakly_canonical(file, is_no_file);
   result.directory = (is_no_file ? fs::absolute(file) : canonical).parent_path().string();
   auto const below = [&](std::string const &name) { return (fs::path(result.directory) / name).string(); };

@@ -1,4 +1,4 @@
-// A project's configuration, .symreal.yaml: what else would stand in pragmas and on the command line.
+// A project's configuration, .symreal.yaml: replaces pragmas and command-line options.
 #pragma once
 
 #include "rewrite/rewrite.h"
@@ -17,29 +17,29 @@ struct Configuration {
     std::vector<std::string> values;
     Place place;
   };
-  std::string directory; // of the file; relative names in it are below
+  std::string directory; // directory of the file; relative names in it refer to it
   std::vector<std::string> roots;
   rewrite::Exclusion exclude;
   std::string type_name;
   std::vector<Option> options;
   std::vector<rewrite::ConfiguredKernel> kernels;
-  std::vector<rewrite::ConfiguredText> calls; // kernels that are text: call_spec.h
+  std::vector<rewrite::ConfiguredText> calls; // kernels given as calls (call_spec.h)
   std::vector<rewrite::ConfiguredExternal> externals;
 };
 
-// The .symreal.yaml in the directory or the nearest above it, else nothing.
+// The .symreal.yaml in the directory or its nearest parent; empty if not found.
 std::string find_configuration(std::string const &directory);
 
-// Throws configuration, with the place in the file.
+// Reads a configuration. Throws configuration, with the place in the file.
 Configuration read_configuration(std::string const &file);
 
-// By option, as in "--decisions": where the configuration says so.
+// Place in the configuration, by option ("--decisions").
 using ConfiguredOptions = std::map<std::string, Place>;
 
-// Sets those options of the subcommand that the command line does not. An option that no subcommand has is an error.
+// Sets the options of the subcommand that the command line does not. An option that no subcommand has is an error.
 void set_options(Configuration const &configuration, CLI::App &command, ConfiguredOptions &given);
 
-// A complaint about an option's value stands where the configuration gives it.
+// Moves a diagnostic about an option's value to the place in the configuration that sets it.
 Diagnostic located(Diagnostic diagnostic, ConfiguredOptions const &given);
 
 } // namespace symreal::tool

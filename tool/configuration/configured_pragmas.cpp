@@ -23,7 +23,7 @@ ConfiguredClause range_clause(Yaml const &node, Place const &place) {
   return clause;
 }
 
-// One clause for each input, since a range is that of the inputs before it.
+// Adds one clause for each input, since a range applies to the inputs before it.
 void add_inputs(std::vector<ConfiguredClause> &clauses, ConfiguredText const &name, Yaml const &node,
                 std::optional<ConfiguredClause> const &range) {
   auto const add = [&](ConfiguredText item) { clauses.push_back({name, {std::move(item)}}); };
@@ -40,7 +40,7 @@ void add_inputs(std::vector<ConfiguredClause> &clauses, ConfiguredText const &na
   }
 }
 
-// "jacobian(tau, [q, qd])" is what the pragma has.
+// Adds derivative clauses; "jacobian(tau, [q, qd])" is spelled as in the pragma.
 void add_derivatives(std::vector<ConfiguredClause> &clauses, Yaml const &node) {
   for (Yaml const &one : node.list()) {
     ConfiguredText const whole = one.text();
@@ -59,7 +59,7 @@ ConfiguredText required_function(std::vector<Yaml::Entry> const &entries, Yaml c
   node.fail("'function' is missing: name the function of this entry");
 }
 
-// Those that the configuration has for clauses.
+// List of the configuration's keys for clauses.
 std::string keys() {
   std::string list;
   for (rewrite::ClauseInfo const &row : rewrite::clause_table())

@@ -1,9 +1,9 @@
-// The parts of a configuration that stand for pragmas.
+// Reader of the parts of a configuration that replace pragmas.
 //
 //   kernels:
 //     - function: arm::inverse_dynamics     # its clauses are those of the pragma
 //       inputs: [q, "qd[0:n]"]              # items, or item: [low, high]
-//       range: [-3.14, 3.14]                # of the inputs that have none of their own
+//       range: [-3.14, 3.14]                # of inputs without a range of their own
 //       parameters: m
 //       outputs: tau[0:n]
 #pragma once

@@ -10,7 +10,7 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-// How many letters must be added, dropped or changed.
+// Edit distance: letters added, dropped or changed.
 std::size_t distance(std::string const &one, std::string const &other) {
   std::vector<std::size_t> row(other.size() + 1);
   for (std::size_t k = 0; k < row.size(); ++k) row[k] = k;
@@ -87,7 +87,7 @@ std::string explain_unknown(CLI::App const &app, Words const &words) {
     bool const is_short = option.size() == 2 && option[0] == '-';
     if (!is_long && !is_short) continue;
     if (!has(command, option)) return explain_option(option, command, app);
-    if (words[k] == option && command.get_option(option)->get_items_expected_min() > 0) ++k; // its value
+    if (words[k] == option && command.get_option(option)->get_items_expected_min() > 0) ++k; // skips the option's value
   }
   return {};
 }

@@ -1,4 +1,4 @@
-// What a word of the command line that is not understood may have been meant for.
+// Suggestions for unknown words of the command line.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -8,14 +8,14 @@
 
 namespace symreal::tool {
 
-// The word of the list that differs least from `word`; empty where none is near.
+// The word of the list nearest to `word`; empty if none is near.
 std::string nearest(std::string const &word, std::vector<std::string> const &list);
 
-// "; did you mean 'roots'?" for a word that is near to one of the list, which commas separate; else nothing.
+// "; did you mean 'roots'?" if the comma-separated list has a near word; else empty.
 std::string did_you_mean(std::string const &word, std::string const &list);
 
-// `words` follow the program's name, up to `--`. What to say of the first that names no subcommand, or no option of the
-// subcommand; empty where there is none.
+// Message about the first unknown subcommand or option of the subcommand; empty if all words are known. `words`: words
+// after the program's name, up to `--`.
 std::string explain_unknown(CLI::App const &app, std::vector<std::string> const &words);
 
 } // namespace symreal::tool

@@ -18,7 +18,7 @@ Place Yaml::place() const { return at(file_, node_.Mark()); }
 rewrite::ConfiguredText Yaml::text() const {
   if (!node_.IsScalar()) fail("expected text here");
   Place where = place();
-  if (node_.Tag() == "!") ++where.column; // behind the quote
+  if (node_.Tag() == "!") ++where.column; // skips the quote
   return {node_.Scalar(), where};
 }
 
@@ -49,7 +49,7 @@ std::vector<Yaml::Entry> Yaml::entries() const {
   return entries;
 }
 
-// How the line with the error, or one of the two before it, should be written, if that can be told.
+// Suggested correction of the line with the error or one of the two before it; else empty.
 static std::string fix(std::string const &text, YAML::Mark const &mark) {
   if (mark.is_null()) return {};
   std::vector<std::string> lines;

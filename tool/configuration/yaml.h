@@ -1,4 +1,4 @@
-// Reads YAML strictly: every value has the expected form, every key is known, and errors have a place.
+// Strict YAML reader: every value has the expected form, every key is known, and errors have a place.
 #pragma once
 
 #include "engine/diagnostics/diagnostic.h"
@@ -25,9 +25,9 @@ public:
 
   rewrite::ConfiguredText text() const;
   bool truth() const;
-  // A list; a single value counts as a list of one.
+  // Elements of a list; a single value counts as a list of one.
   std::vector<Yaml> list() const;
-  // Of a map, in the order of the file. A key that stands there twice is an error.
+  // Entries of a map, in the order of the file. A duplicate key is an error.
   struct Entry;
   std::vector<Entry> entries() const;
 
@@ -41,7 +41,7 @@ struct Yaml::Entry {
   Yaml value;
 };
 
-// The document in a file. Throws configuration or unreadable_file.
+// Reads the document in a file. Throws configuration or unreadable_file.
 Yaml read_yaml(std::string const &file);
 
 } // namespace symreal::tool

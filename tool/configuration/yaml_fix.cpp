@@ -6,14 +6,14 @@
 namespace symreal::tool {
 namespace {
 
-// A word of ours that YAML takes for something else: a list, an alias, an anchor, a comment.
+// Does the item need quotes, since YAML takes it for a list, an alias, an anchor or a comment?
 bool wants_quotes(std::string const &item) {
   if (item.empty() || item.front() == '"' || item.front() == '\'') return false;
   return item.front() == '*' || item.front() == '&' || item.front() == '%' || item.front() == '@' ||
          item.find_first_of("[]{}#") != item.npos;
 }
 
-// A value, or a list of them in brackets.
+// Quotes a value, or the values of a bracketed list.
 std::string value_with_quotes(std::string const &value) {
   if (!value.starts_with("[")) return wants_quotes(value) ? in_quotes(value) : value;
   bool const is_closed = value.ends_with("]");

@@ -6,9 +6,9 @@
 
 namespace symreal::tool {
 
-// Everything is in memory: what can fail is memory.
+// Works in memory, so only allocation can fail.
 std::string archive(std::vector<std::pair<std::string, std::string>> const &files) {
-  constexpr zip_uint16_t first_day = (1U << 5U) | 1U; // of 1980, where the time of the format begins
+  constexpr zip_uint16_t first_day = (1U << 5U) | 1U; // of 1980, the format's epoch
   zip_source_t *const buffer = zip_source_buffer_create(nullptr, 0, 0, nullptr);
   internal_check(buffer != nullptr);
   zip_source_keep(buffer);

@@ -1,4 +1,4 @@
-// A ZIP archive in memory.
+// Writer of ZIP archives in memory.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace symreal::tool {
 
-// The bytes of an archive of these files, names first. Equal files give equal bytes: no time stands in it.
+// Bytes of an archive of these files (name, content). Equal files give equal bytes: time stamps are fixed.
 std::string archive(std::vector<std::pair<std::string, std::string>> const &files);
 
 } // namespace symreal::tool

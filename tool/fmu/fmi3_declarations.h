@@ -1,4 +1,4 @@
-// The beginning of a unit's C: what FMI 3.0 calls types, and what an instance is. A pattern (emit/language/pattern.h).
+// Beginning of a unit's C code: types of FMI 3.0, and the instance. A pattern (emit/language/pattern.h).
 #pragma once
 
 #include <string_view>

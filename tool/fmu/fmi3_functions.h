@@ -1,4 +1,4 @@
-// The functions of FMI 3.0 that a unit has, in C.
+// Functions of FMI 3.0 that a unit supports, in C.
 #pragma once
 
 #include <string_view>

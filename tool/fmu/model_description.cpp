@@ -25,7 +25,7 @@ std::string escaped(std::string const &text) {
   return result;
 }
 
-// As XML Schema spells doubles.
+// A double in the syntax of XML Schema.
 std::string number(double value) {
   if (std::isnan(value)) return "NaN";
   if (std::isinf(value)) return value > 0 ? "INF" : "-INF";
@@ -47,7 +47,7 @@ std::string attributes(UnitVariable const &variable) {
                      variable.state);
 }
 
-// `with_parameters`: among what an unknown of the initialization depends on; later on they are no variables.
+// Entry of an unknown. `with_parameters`: its dependencies include parameters, which vary only in initialization.
 std::string unknown(std::string const &element, std::vector<UnitVariable> const &variables, std::size_t k,
                     bool with_parameters) {
   std::vector<std::size_t> known;
@@ -63,7 +63,7 @@ std::string structure(std::vector<UnitVariable> const &variables) {
     if (role == Role::output || role == Role::state) outputs += unknown("Output", variables, k, false);
     if (role == Role::output || role == Role::derivative) initial += unknown("InitialUnknown", variables, k, true);
   }
-  // Derivatives stand in the order of the states, as the functions of a unit hand them over.
+  // Lists derivatives in the order of the states, as the unit's functions pass them.
   for (std::size_t state = 0; state < variables.size(); ++state)
     for (std::size_t k = 0; k < variables.size(); ++k)
       if (variables[k].role == Role::derivative && variables[k].state == state)

@@ -1,4 +1,4 @@
-// The XML of a functional mock-up unit (FMI 3.0).
+// XML files of a functional mock-up unit (FMI 3.0).
 #pragma once
 
 #include "tool/fmu/unit_variables.h"
@@ -9,15 +9,15 @@
 namespace symreal::tool {
 
 struct UnitNames {
-  std::string model;      // in words
-  std::string identifier; // of files and functions
-  std::string token;      // by which a description and its code know each other
+  std::string model;      // title
+  std::string identifier; // identifier of files and functions
+  std::string token;      // token that ties a description to its code
 };
 
-// modelDescription.xml
+// Text of modelDescription.xml.
 std::string model_description(UnitNames const &names, std::vector<UnitVariable> const &variables);
 
-// sources/buildDescription.xml
+// Text of sources/buildDescription.xml.
 std::string build_description(std::string const &identifier, std::vector<std::string> const &sources,
                               std::string const &compiler_options);
 

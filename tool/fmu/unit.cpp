@@ -24,9 +24,9 @@ namespace {
 namespace fs = std::filesystem;
 using Files = std::vector<std::pair<std::string, std::string>>;
 
-// The C around the generated functions.
+// C code around the generated functions.
 std::string fmi3_text(Emission const &emission, std::string const &token, std::vector<UnitVariable> const &variables) {
-  std::vector<std::pair<std::size_t, std::size_t>> states; // and derivatives
+  std::vector<std::pair<std::size_t, std::size_t>> states; // pairs of state and derivative
   std::vector<double> start(variables.size(), 0);
   for (std::size_t k = 0; k < variables.size(); ++k) {
     if (variables[k].role == UnitVariable::Role::derivative) states.emplace_back(variables[k].state, k);
@@ -50,14 +50,14 @@ std::string fmi3_text(Emission const &emission, std::string const &token, std::v
   return text;
 }
 
-// A unit is known by all that is generated of it.
+// Token of a unit: a hash of everything generated for it.
 std::string token_of(Files const &files, std::vector<UnitVariable> const &variables) {
   std::string text = model_description({}, variables);
   for (auto const &[name, content] : files) text += content;
   return program::content_hash(text).substr(0, 32);
 }
 
-// The sources do not name the original's mathematical library: the text of the graph gives the same unit.
+// Bytes of a unit. The sources omit the original's mathematical library, so that the graph's text determines them.
 std::string unit_bytes(Schedule const &plan, EmitterOptions const &emitter, FloatingPoint mode) {
   Graph const &graph = *plan.graph;
   Language const &c = *find_language("c");

@@ -1,4 +1,4 @@
-// --fmu: a kernel as a functional mock-up unit of FMI 3.0, for model exchange and co-simulation.
+// --fmu: writes a kernel as a functional mock-up unit of FMI 3.0, for model exchange and co-simulation.
 #pragma once
 
 #include "tool/output/outputs.h"
@@ -14,9 +14,9 @@ struct UnitOption {
 
   void add_to(CLI::App &app);
   bool is_given() const { return !file.empty(); }
-  // Fails for a file that is not called as units are, and for options about files that are not written.
+  // Fails for a file without the extension of units, and for options about files that are not written.
   void require_sense(CLI::App &command) const;
-  // With several kernels the option names a directory. Throws bad_option for a kernel without states.
+  // The unit's file; with several kernels the option names a directory. Throws bad_option for a kernel without states.
   OutputFile unit(Schedule const &plan, EmitterOptions const &options, FloatingPoint mode, bool several) const;
 };
 

@@ -15,7 +15,7 @@ void append(std::vector<Object> &all, std::vector<Object> const &objects) {
   all.insert(all.end(), objects.begin(), objects.end());
 }
 
-// All objects in one list, so that no two variables have one name.
+// Names of all objects, made in one list so that they are unique.
 std::vector<std::string> names_of(Graph const &graph) {
   std::vector<Object> all = {{.label = "time", .extents = {}}};
   append(all, graph.inputs);
@@ -24,7 +24,7 @@ std::vector<std::string> names_of(Graph const &graph) {
   return element_names(all);
 }
 
-// The inputs and parameters that a result is computed from, by their indices as variables.
+// Indices of the inputs and parameters that a result depends on.
 std::vector<std::size_t> dependencies(Graph const &graph, NodeId result) {
   std::vector<char> seen(graph.nodes.size(), 0);
   std::vector<NodeId> found = {result};

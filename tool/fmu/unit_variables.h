@@ -1,4 +1,4 @@
-// The variables of a functional mock-up unit: the numbers of a graph, each with what FMI says of it.
+// Variables of a functional mock-up unit: the numbers of a graph with their FMI attributes.
 #pragma once
 
 #include "engine/graph/graph.h"
@@ -12,12 +12,12 @@ struct UnitVariable {
   enum class Role { time, input, state, parameter, output, derivative };
   std::string name;
   Role role = Role::time;
-  double start = 0;                      // of what is set from outside
-  std::size_t state = 0;                 // of a derivative: the state's index
-  std::vector<std::size_t> dependencies; // of what is computed: inputs, states and parameters by their indices
+  double start = 0;                      // start value of variables set from outside
+  std::size_t state = 0;                 // of a derivative: index of its state
+  std::vector<std::size_t> dependencies; // of computed variables: indices of inputs, states and parameters
 };
 
-// Index 0 is time; then come inputs, parameters and outputs in their order. An index is a value reference.
+// All variables: index 0 is time, then inputs, parameters and outputs in order. The index is the value reference.
 std::vector<UnitVariable> unit_variables(Graph const &graph);
 
 } // namespace symreal::tool

@@ -1,4 +1,4 @@
-// The files of the page, which CMake embeds into the tool (cmake/embed.cmake).
+// Files of the page, which CMake embeds into the tool (cmake/embed.cmake).
 #pragma once
 
 #include <span>
@@ -11,7 +11,7 @@ struct Asset {
   std::string_view text;
 };
 
-// The template comes first.
+// All assets, the template first.
 std::span<Asset const> assets();
 
 } // namespace symreal::tool

@@ -5,7 +5,7 @@
 
 namespace symreal::tool {
 
-// Each place in one of the sources, further in or not, once.
+// Distinct source lines of the locations, including inlined ones.
 static Json places(Graph const &graph, std::vector<LocationId> const &locations, Sources const &sources) {
   std::set<std::pair<std::size_t, unsigned>> lines;
   for (LocationId location : locations)
@@ -17,7 +17,7 @@ static Json places(Graph const &graph, std::vector<LocationId> const &locations,
 }
 
 Json code_data(Graph const &graph, FloatingPoint mode, Sources const &sources) {
-  constexpr std::size_t most_nodes = 100'000; // beyond, nobody reads the code, and the page would be slow
+  constexpr std::size_t most_nodes = 100'000; // a larger page would be slow, and its code unread
   if (graph.nodes.size() > most_nodes) return {{"nodes", graph.nodes.size()}};
   Schedule const plan = schedule(graph);
   EmitOptions options;

@@ -1,4 +1,4 @@
-// What a page shows, as JSON: each function is a part of it.
+// Data of a page as JSON; each function gives one part.
 #pragma once
 
 #include "engine/graph/graph.h"
@@ -14,23 +14,23 @@ namespace symreal::tool {
 
 using Json = nlohmann::ordered_json;
 
-// {"step": 1, "from_inputs": [...], "from_outputs": [...], "levelled": [...]}: of `step` units of time the highest.
+// {"step": 1, "from_inputs": [...], "from_outputs": [...], "levelled": [...]}: maximum of each `step` units of time.
 Json profile_data(Figures const &figures);
 
-// [{"name": "arm.cpp", "text": "...", "functions": [["dot", 3, 9], ...]}, ...]; text null: it is gone.
+// [{"name": "arm.cpp", "text": "...", "functions": [["dot", 3, 9], ...]}, ...]; null text: the file is missing.
 Json source_data(Sources const &sources);
 
-// {"name": "arm.c", "text": "...", "origins": [[first, last, [[file, line], ...]], ...]}; too much code: {"lines": n}.
+// {"name": "arm.c", "text": "...", "origins": [[first, last, [[file, line], ...]], ...]}; for long code: {"nodes": n}.
 Json code_data(Graph const &graph, FloatingPoint mode, Sources const &sources);
 
-// The nodes that something needs, constants apart, in packed columns (packed.h). They are numbered anew from 0; an
-// operand is twice the distance to an older node, or an odd number for a constant.
+// Live nodes without constants, in packed columns (packed.h), renumbered from 0; an operand is twice the distance to an
+// older node, or an odd number for a constant.
 Json node_data(Graph const &graph, Figures const &figures, Sources const &sources);
 
-// The timetable by unit, in packed columns: the distance from the end of the task before, the duration, the node.
+// Timetable by unit, in packed columns: distance from the end of the previous task, duration, node.
 Json timetable_data(Graph const &graph, ScheduleReport const &report, std::vector<NodeId> const &node_of_task);
 
-// Per node of the graph: its number in node_data, or no_node.
+// Number in node_data of each node of the graph, or no_node.
 std::vector<NodeId> shown_numbers(Graph const &graph);
 
 } // namespace symreal::tool

@@ -9,7 +9,7 @@ namespace {
 
 bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
 
-// A declaration grows word by word until its brace, its semicolon or another brace comes.
+// Collects the words of a declaration until its brace, its semicolon or another brace.
 class Reader {
 public:
   explicit Reader(std::string_view text) : text_(text) {}
@@ -33,7 +33,7 @@ private:
     return end == text_.npos ? end : end + word.size();
   }
 
-  // Comments, directives, literals: their braces do not count.
+  // Skips comments, directives and literals, whose braces do not count.
   bool skip_silent() {
     char const c = text_[at_];
     if (begins("//")) return skip_to(text_.find('\n', at_)), true;
@@ -85,7 +85,7 @@ private:
     declaration_.clear();
   }
 
-  // The name before the first parenthesis, if what stands there is the head of a function.
+  // Name before the first parenthesis, if the declaration is the head of a function.
   std::string function_name() const {
     std::size_t const sign = declaration_.find("operator");
     if (sign != declaration_.npos && (sign == 0 || !is_word(declaration_[sign - 1]))) return operator_name(sign);
@@ -102,7 +102,7 @@ private:
     return std::ranges::find(no_functions, name) == no_functions.end() ? name : std::string();
   }
 
-  // "operator+", "operator()".
+  // Name of an operator function: "operator+", "operator()".
   std::string operator_name(std::size_t begin) const {
     std::size_t const open = declaration_.find('(', begin);
     if (open == declaration_.npos) return {};
@@ -114,7 +114,7 @@ private:
   std::string_view text_;
   std::size_t at_ = 0;
   unsigned line_ = 1, first_ = 1;
-  std::size_t depth_inside_ = 0; // braces since the function began
+  std::size_t depth_inside_ = 0; // open braces within the function
   std::string declaration_;
   std::vector<FunctionLines> found_;
 };

@@ -1,4 +1,4 @@
-// Which function each line of a C or C++ source stands in, as far as its text tells: what a graph does not say.
+// Map from lines of C or C++ source to functions, which the graph lacks, as far as the text tells.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@ struct FunctionLines {
   unsigned first, last;
 };
 
-// In the order of the text; none within another. Reads braces, not C++: where macros hide braces it finds fewer.
+// Functions in text order, not nested. Reads braces, not C++: finds fewer functions if macros hide braces.
 std::vector<FunctionLines> function_lines(std::string_view text);
 
 } // namespace symreal::tool

@@ -24,7 +24,7 @@ std::size_t Groups::of(NodeId node) {
 std::size_t Groups::place_group(LocationId location) {
   Place const &place = graph_.locations[location].places.front();
   std::optional<std::size_t> const known = sources_.number_of(place.file);
-  internal_check(known.has_value()); // all places of the graph are
+  internal_check(known.has_value()); // all files of the graph are known
   std::size_t const file = *known;
   std::string const function = sources_.function_at(file, place.line);
   std::size_t const parent = group(function.empty() ? file_of(place.file) : function, none, file, 0);

@@ -1,4 +1,4 @@
-// What the picture of a graph collapses: nodes by source line, and these by function.
+// Groups that the picture of a graph collapses: nodes by source line, lines by function.
 #pragma once
 
 #include "engine/graph/graph.h"
@@ -17,9 +17,9 @@ class Groups {
 public:
   Groups(Graph const &graph, Sources const &sources) : graph_(graph), sources_(sources) {}
 
-  // Made when it is met first. Without a place: inputs, parameters, or the operation's name.
+  // Group of a node, created on first use. Without a place: inputs, parameters, or the operation's name.
   std::size_t of(NodeId node);
-  // [{"label": "dynamics.cpp:40", "parent": 3, "file": 0, "line": 40}, ...]; the parent is a function, and has none.
+  // [{"label": "dynamics.cpp:40", "parent": 3, "file": 0, "line": 40}, ...]; the parent is a function's group.
   nlohmann::ordered_json const &data() const { return data_; }
 
 private:

@@ -13,7 +13,7 @@ std::string op_name(Op op) {
   return op == Op::input ? "input" : op == Op::parameter ? "parameter" : std::string(info(op).name);
 }
 
-// Constants, each once, in the order in which they are met.
+// Distinct constants, in order of first use.
 class Constants {
 public:
   std::size_t number(double value) {

@@ -1,4 +1,4 @@
-// Numbers by the million as text: base64 of bytes, and of numbers that take a byte for each seven bits.
+// Compact text encoding of many numbers: base64 of bytes, each number with seven bits a byte.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@ std::string base64(std::string_view bytes);
 
 class PackedNumbers {
 public:
-  void add(std::uint64_t number); // seven bits a byte, the lowest first; the top bit: more follow
+  void add(std::uint64_t number); // seven bits a byte, lowest first; the top bit: more bytes follow
   std::string text() const { return base64(bytes_); }
 
 private:

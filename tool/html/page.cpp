@@ -16,8 +16,8 @@ std::string escaped_html(std::string_view text) {
   return result;
 }
 
-// Within <script>: "<" ends it or begins a comment, and JSON has it in strings alone. Bytes that are no UTF-8 are
-// replaced.
+// JSON for a <script> element: escapes "<", which occurs in strings only and would end the script or begin a comment.
+// Replaces invalid UTF-8.
 std::string script_json(nlohmann::ordered_json const &data) {
   std::string const text = data.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
   std::string result;
@@ -41,7 +41,7 @@ std::string content_of(std::string_view place, std::string const &title, nlohman
 } // namespace
 
 std::string page(std::string const &title, nlohmann::ordered_json const &data) {
-  std::string_view rest = assets().front().text; // the template: {{name}} is a place
+  std::string_view rest = assets().front().text; // the template, with placeholders {{name}}
   std::string text;
   for (std::size_t begin; (begin = rest.find("{{")) != rest.npos;) {
     std::size_t const end = rest.find("}}", begin);

@@ -1,4 +1,4 @@
-// One self-contained page: the template, its style, its scripts, the chart library and the data.
+// Assembly of a self-contained page: template, style, scripts, chart library and data.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

@@ -6,7 +6,7 @@
 
 namespace symreal::tool {
 
-// The operations of `compute` on units, as `schedule` puts them.
+// Timetable of `compute` on units, as by `schedule`.
 static Json timetable(Graph const &graph, OperationTasks const &operations, std::string const &units) {
   TaskInput input;
   input.tasks = operations.tasks;

@@ -1,4 +1,4 @@
-// All that a report shows, from a graph and its optimised form to JSON.
+// Data of a report, from a graph and its optimised form to JSON.
 #pragma once
 
 #include "engine/analysis/figures/figures.h"
@@ -14,14 +14,14 @@ struct ReportRequest {
   KernelReport kernel;
   Costs costs;
   FloatingPoint mode;
-  std::string units;                   // of the timetable, as `schedule --units` takes them
-  nlohmann::ordered_json verification; // of this kernel, as `verify --json` prints it; null: not given
+  std::string units;                   // units of the timetable, as for `schedule --units`
+  nlohmann::ordered_json verification; // this kernel's record from `verify --json`; null if not given
 };
 
 // Throws nothing_to_analyze, bad_option, no_unit.
 nlohmann::ordered_json report_data(ReportRequest const &request, Sources const &sources);
 
-// The verification of this kernel in what `verify --json` printed to `file`. Throws verification_file.
+// This kernel's record in a file that `verify --json` printed. Throws verification_file.
 nlohmann::ordered_json read_verification(std::string const &file, std::string const &kernel);
 
 } // namespace symreal::tool

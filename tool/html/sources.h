@@ -1,4 +1,4 @@
-// The sources that a graph names: their text, and which function a line stands in.
+// Source files that a graph names, with their text and functions.
 #pragma once
 
 #include "engine/graph/graph.h"
@@ -13,19 +13,19 @@ namespace symreal::tool {
 
 struct SourceFile {
   std::string name;
-  std::optional<std::string> text; // none: it is gone
+  std::optional<std::string> text; // nullopt if the file is missing
   std::vector<FunctionLines> functions;
 };
 
 class Sources {
 public:
-  // The files of the user's own places: those of operations, guards and baked-in state.
+  // Files of the user's own places: of operations, guards and baked-in state.
   explicit Sources(Graph const &graph);
 
   std::vector<SourceFile> const &files() const { return files_; }
-  // Among the files; nothing if it is none of them.
+  // Index of the file; nullopt if it is not among them.
   std::optional<std::size_t> number_of(std::string const &file) const;
-  // Empty where the line stands in no function, or its text is gone.
+  // Function at the line; empty outside functions or if the text is missing.
   std::string function_at(std::size_t file, unsigned line) const;
 
 private:
@@ -33,7 +33,7 @@ private:
   std::vector<SourceFile> files_;
 };
 
-// A warning for each source that is gone.
+// One warning for each missing source.
 std::vector<Diagnostic> gone_sources(Sources const &sources);
 
 } // namespace symreal::tool

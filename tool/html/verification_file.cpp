@@ -7,7 +7,7 @@ using Json = nlohmann::ordered_json;
 
 static bool has_number(Json const &json, char const *key) { return json.contains(key) && json[key].is_number(); }
 
-// Whether the page finds in it what it reads.
+// Does the JSON have the members that the page reads?
 static bool is_verification(Json const &json) {
   if (!json.is_object() || !json.contains("kernel") || !json["kernel"].is_string() || !has_number(json, "samples") ||
       !has_number(json, "inside") || !json.contains("outputs") || !json["outputs"].is_array())

@@ -1,4 +1,4 @@
-// The costs of operations, by the words of an option.
+// Costs of operations, selected by an option.
 #pragma once
 
 #include "engine/analysis/costs/costs.h"
@@ -7,7 +7,7 @@
 
 namespace symreal::tool {
 
-// unit, table, or a file of `symreal measure-costs`. Throws cost_file, unreadable_file.
+// `cost`: unit, table, or a file of `symreal measure-costs`. Throws cost_file, unreadable_file.
 Costs costs_named(std::string const &cost);
 
 } // namespace symreal::tool

@@ -39,7 +39,7 @@ void DecisionsOption::require_sense() const {
 }
 
 std::string met_hash(std::string const &file) {
-  constexpr std::size_t digits = 16; // enough to tell two tables apart
+  constexpr std::size_t digits = 16; // enough to distinguish tables
   return program::content_hash(read_file(file)).substr(0, digits);
 }
 

@@ -1,5 +1,4 @@
-// --decisions, --max-paths, --max-depth, --zero-tests, --joins, --paths-met: what becomes of decisions on symbolic
-// values.
+// --decisions, --max-paths, --max-depth, --zero-tests, --joins, --paths-met: treatment of decisions on symbolic values.
 #pragma once
 
 #include "program/record/explore.h"
@@ -13,18 +12,18 @@ namespace symreal::tool {
 struct DecisionsOption {
   std::string policy = "error", zeros = "guard", joins = "on";
   program::ExploreBounds bounds;
-  std::string paths_met; // a table of samples
+  std::string paths_met; // table of samples
   CLI::Option const *max_paths = nullptr, *max_depth = nullptr, *zero_tests = nullptr, *join = nullptr, *met = nullptr;
 
   bool is_exploring() const { return policy == "explore" || policy == "auto"; }
   void add_to(CLI::App &app);
   // Throws bad_option, option_without_effect.
   void require_sense() const;
-  // As a recording takes it, with the bounds. Throws unreadable_file.
+  // Policy with its bounds, as a recording takes it. Throws unreadable_file.
   std::string of_recording() const;
 };
 
-// What code that was generated with --paths-met says of the table. Throws unreadable_file.
+// Hash of the table, stored in code generated with --paths-met. Throws unreadable_file.
 std::string met_hash(std::string const &file);
 
 } // namespace symreal::tool

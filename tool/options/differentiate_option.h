@@ -1,4 +1,4 @@
-// Derivatives as further outputs of a kernel: those that the program asks for, and those of --differentiate.
+// Derivatives as additional outputs of a kernel, requested by the program or by --differentiate.
 #pragma once
 
 #include "tool/options/options.h"
@@ -7,12 +7,12 @@ namespace symreal::tool {
 
 struct DifferentiateOption {
   std::vector<std::string> requests;
-  bool separate = false; // derivatives are a function of their own
+  bool separate = false; // derivatives form a separate function
 
   bool is_given() const { return !requests.empty(); }
   void add_to(CLI::App &app);
   void add_separate_to(CLI::App &app);
-  // The graph as it is, if nobody asks for any. Throws what differentiate throws.
+  // The graph with its derivatives; unchanged if none are requested. Throws what differentiate throws.
   Graph applied(Graph graph, Report const &report) const;
 };
 

@@ -8,7 +8,7 @@
 namespace symreal::tool {
 namespace {
 
-// By option, or by "SUBCOMMAND OPTION" where it has another sense there: the title.
+// Group title by option, or by "SUBCOMMAND OPTION" if the option differs there.
 std::map<std::string, std::string> titles() {
   std::map<std::string, std::string> result;
   auto const add = [&](std::string const &before, char const *title, char const *options) {

@@ -1,4 +1,4 @@
-// What --help shows: options in groups, two examples a subcommand. The table is help.def.
+// Layout of --help: options in groups, two examples a subcommand. The table is help.def.
 #pragma once
 
 #include <CLI/CLI.hpp>

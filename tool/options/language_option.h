@@ -1,4 +1,4 @@
-// --lang: the languages of the result.
+// --lang: output languages.
 #pragma once
 
 #include "engine/emit/languages/languages.h"
@@ -11,11 +11,11 @@
 namespace symreal::tool {
 
 struct LanguageOption {
-  std::string text; // names separated by commas, or a word of the subcommand's own
+  std::string text; // names separated by commas, or a special word of the subcommand
 
-  // `others`: such words, separated by '|'.
+  // `others`: special words, separated by '|'.
   void add_to(CLI::App &app, std::string const &usual, std::string others = {});
-  // Throws bad_option for a name that is in no row of languages.def. Empty for one of the other words.
+  // Selected languages; empty for a special word. Throws bad_option for a name that is in no row of languages.def.
   std::vector<Language const *> languages() const;
 
 private:
@@ -25,11 +25,11 @@ private:
 
 std::vector<Language const *> all_languages();
 
-// Fails for options that name one file, where several languages are asked for.
+// Fails for options that name one file if several languages are requested.
 struct EmitterOptions;
 void require_one_language(std::vector<Language const *> const &languages, EmitterOptions const &options);
 
-// Fails for a file that none of the languages gives its source.
+// Fails for a file whose extension belongs to none of the languages.
 void require_source_name(std::string const &path, std::vector<Language const *> const &languages);
 
 } // namespace symreal::tool

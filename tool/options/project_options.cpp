@@ -13,7 +13,7 @@
 
 namespace symreal::tool {
 
-// No result may take their place, and what an interrupted edit left beside them, or where the user is, is put right.
+// Notes the sources as read and recovers interrupted edits in their directories and the current one.
 static void begin_reading(std::vector<std::string> const &sources) {
   std::set<std::string> directories = {"."};
   for (std::string const &source : sources) {
@@ -24,7 +24,7 @@ static void begin_reading(std::vector<std::string> const &sources) {
   for (std::string const &directory : directories) recover(directory);
 }
 
-// What the build has besides the named sources. What is excluded there belongs to no program unless it is named.
+// Adds the build's other sources. Excluded ones belong to no program unless they are named.
 static void add_others(rewrite::Request &request, std::string const &build) {
   for (rewrite::Compilation &one : rewrite::read_compile_commands(build, {})) {
     std::string const real = rewrite::real_source(one);
@@ -58,7 +58,7 @@ void ProjectOptions::add_build_to(CLI::App &app) {
       ->type_name("FILE");
 }
 
-// Once a run, however many there are.
+// Reports damaged cache entries, once a run.
 static void tell_damaged(std::string const &entry) {
   static std::atomic<bool> is_told = false;
   if (is_told.exchange(true)) return;
@@ -118,7 +118,7 @@ rewrite::Request ProjectOptions::complete(CompilerFlags const &flags) const {
     fail(DiagnosticId::bad_option, {}, "name the sources, or a build directory with -p");
   complete.flags = flags;
   for (std::string const &flag : flags)
-    if (flag.starts_with('@')) program::note_read(flag.substr(1)); // more flags
+    if (flag.starts_with('@')) program::note_read(flag.substr(1)); // response file with more flags
   if (std::shared_ptr<program::CacheDirectory> kept = cache(); kept->exists()) complete.kept = std::move(kept);
   if (complete.reachable) {
     std::vector<std::string> named = complete.sources;

@@ -1,4 +1,4 @@
-// Which sources a subcommand reads, and how they are compiled.
+// Options for the sources that a subcommand reads and their compilation.
 #pragma once
 
 #include "program/build/cache_directory.h"
@@ -14,35 +14,35 @@
 
 namespace symreal::tool {
 
-// What stands after `--` on the command line.
+// Compiler flags after `--` on the command line.
 using CompilerFlags = std::vector<std::string>;
 
 struct ProjectOptions {
   rewrite::Request request;
-  std::vector<rewrite::ConfiguredText> calls; // of kernels that no program calls (call_spec.h)
-  std::string build;                          // the directory of compile_commands.json
-  std::string configuration;                  // its file; empty: the nearest .symreal.yaml
+  std::vector<rewrite::ConfiguredText> calls; // calls of kernels that no program calls (call_spec.h)
+  std::string build;                          // directory of compile_commands.json
+  std::string configuration;                  // configuration file; empty: the nearest .symreal.yaml
   bool no_cache = false;
 
-  void add_to(CLI::App &app); // the sources and all of these:
+  void add_to(CLI::App &app); // adds the sources and the build options
   void add_build_to(CLI::App &app);
-  // What the configuration says, where the command line does not. It may set every option of the subcommand, so this is
-  // done first; `sources` are those of the command line.
+  // Applies the configuration to options that the command line does not set. It may set every option of the subcommand,
+  // so this comes first; `sources` are those of the command line.
   void configure(CLI::App &command, ConfiguredOptions &given);
-  // Empty where there is none, or where it would be written.
+  // The configuration file; empty if not found, or with `or_new` the path to create.
   std::string configuration_file(bool or_new = false) const;
-  // With the sources that are excluded, which a program needs all the same.
+  // The full request, including excluded sources, which a program still needs.
   rewrite::Request complete(CompilerFlags const &flags) const;
-  // Where a .symreal.yaml was looked for in vain.
+  // Paths where no .symreal.yaml was found.
   std::vector<std::string> absent_configurations() const;
-  // Where things are kept from run to run; perhaps nowhere.
+  // Cache that persists across runs; may be disabled.
   std::shared_ptr<program::CacheDirectory> cache() const;
 
 private:
   std::filesystem::path configuration_start() const;
 };
 
-// Without the sources that are excluded.
+// The request without excluded sources.
 rewrite::Request only_rewritten(rewrite::Request request);
 
 } // namespace symreal::tool

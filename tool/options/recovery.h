@@ -1,11 +1,11 @@
-// What a killed rewrite left behind is put in order before anything else is done with the tree.
+// Recovery from a killed rewrite, before anything else touches the tree.
 #pragma once
 
 #include "program/build/tree_edit.h"
 
 namespace symreal::tool {
 
-// Says what was done on standard error.
+// Reports the recovery on standard error.
 program::Recovery recover(std::string const &directory);
 
 } // namespace symreal::tool

@@ -27,9 +27,9 @@ std::optional<Rerolled> RerollOption::loops(Schedule const &plan, std::optional<
     PassSettings settings = passes.settings();
     std::vector<std::string> names = passes.names();
     if (in_loop)
-      std::erase(names, "latency"); // iterations stand side by side: recurrences.h
+      std::erase(names, "latency"); // iterations run side by side: recurrences.h
     else
-      settings.effort = std::min(settings.effort, 1); // what is computed once
+      settings.effort = std::min(settings.effort, 1); // code that runs once
     return run_passes(std::move(graph), names, settings);
   };
   Rerolled loops = found ? improved(*found, plan.angles, improve) : rerolled(plan, passes.settings().mode);

@@ -1,4 +1,4 @@
-// --reroll: repeats become loops.
+// --reroll: turns repetitions into loops.
 #pragma once
 
 #include "engine/plan/reroll/reroll.h"
@@ -12,8 +12,8 @@ struct RerollOption {
   void add_to(CLI::App &app);
   // Throws bad_option, option_without_effect.
   void require_sense(EmitterOptions const &emitter, bool is_parallel) const;
-  // Nothing where it was not asked for, or there are no loops: then `remarks` says why. Otherwise `text` says how much
-  // they hold. `found`: loops that were found already, if they were; then passes work on what they compute.
+  // The loops; nullopt if not requested or not found, with a remark why. `text`: their share of the code. `found`:
+  // loops that were found already, whose computed values passes then work on.
   std::optional<Rerolled> loops(Schedule const &plan, std::optional<Rerolled> const &found, PassOptions const &passes,
                                 std::vector<Diagnostic> &remarks, std::string &text) const;
 };

@@ -1,4 +1,4 @@
-// --vector=N: operations side by side as vectors of N numbers.
+// --vector=N: computes operations side by side, as vectors of N numbers.
 #pragma once
 
 #include "engine/plan/lanes/lanes.h"
@@ -13,8 +13,7 @@ struct VectorOption {
   void add_to(CLI::App &app);
   // Throws bad_option, option_without_effect.
   void require_sense(EmitterOptions const &emitter, bool is_parallel, bool is_rerolled) const;
-  // Nothing where it was not asked for, or nothing is worth it: then `remarks` says why. Otherwise `text` says how much
-  // stands in vectors.
+  // The vectors; nullopt if not requested or not worthwhile, with a remark why. `text`: their share of the code.
   std::optional<Laned> lanes(Schedule const &plan, std::vector<Diagnostic> &remarks, std::string &text) const;
 };
 

@@ -27,7 +27,7 @@ bool is_below(std::string const &path, std::string const &directory) {
   return !directory.empty() && path.starts_with(directory + "/");
 }
 
-// Files that the user, or the system, may change: not what the run itself makes, nor the parts of an installation.
+// Is this a dependency: a file that may change, but is neither made by the run nor part of an installation?
 bool counts(std::string const &path, program::Front const &front) {
   std::error_code error;
   return fs::is_regular_file(path, error) && !is_below(path, front.workspace->path()) &&
@@ -46,7 +46,7 @@ std::vector<std::string> read_of(program::Front const &front, program::FrontRequ
   return {all.begin(), all.end()};
 }
 
-// Directories that the compilations search before those of the system.
+// Directories that the compilations search before the system's.
 std::vector<std::string> own_directories(program::FrontRequest const &request) {
   std::set<std::string> all;
   for (rewrite::Compilation const &one : rewrite::compilations_of(request.source))
@@ -62,7 +62,7 @@ std::vector<std::string> system_directories(program::FrontRequest const &request
   return program::searched_directories(run.output);
 }
 
-// Names that __has_include looks for in vain in the texts.
+// Headers that __has_include finds absent.
 std::vector<std::string> absent_headers(program::Front const &front, program::FrontRequest const &request) {
   std::vector<std::string> absent;
   std::vector<std::string> const own = own_directories(request);
@@ -94,7 +94,7 @@ std::vector<std::string> absent_files(program::Front const &front, program::Fron
   return all;
 }
 
-// The directory that changes when the file, or the directory that it lies in, appears.
+// The nearest existing parent, which changes when the file or its directory appears.
 std::string watched_directory(fs::path path) {
   for (path = path.parent_path(); !fs::is_directory(path) && path.has_relative_path();) path = path.parent_path();
   return path.string();

@@ -1,10 +1,10 @@
-// --depfile: what a result depends on, as a rule of make.
+// --depfile: dependencies of a result, as a make rule.
 //
-// A file that is there is a prerequisite with an empty rule of its own, so that its removal leads to a new run and not
-// to the end of the build: sources and headers, the configuration, what options name, what the recorded program opened,
-// the compilers, and Symreal itself. A file that was asked for and is absent cannot be one in the form that make, ninja
-// and CMake share. There its directory stands for it. A rule whose name ends in .mk is for GNU make alone, which looks
-// for the file itself: $(wildcard ...). That form also has the .symreal.yaml that is not there.
+// An existing file is a prerequisite with an empty rule of its own, so that its removal causes a new run instead of an
+// error: sources and headers, the configuration, files that options name or that the recorded program opened, the
+// compilers, and Symreal itself. An absent file cannot be a prerequisite in the dialect shared by make, ninja and
+// CMake; its directory replaces it. A rule whose name ends in .mk is for GNU make, which looks for the file itself:
+// $(wildcard ...). The .mk form also covers absent .symreal.yaml files.
 #pragma once
 
 #include "program/record/front.h"
@@ -17,7 +17,7 @@ namespace symreal::tool {
 std::string dependencies(std::string const &depfile, std::string const &target, program::Front const &front,
                          program::FrontRequest const &request, ProjectOptions const &project);
 
-// Where --depfile lacks what the system does not tell: unseen_files.
+// Warns (unseen_files) if the system could not observe opened files, so that --depfile is incomplete.
 void warn_of_unseen(std::string const &depfile);
 
 } // namespace symreal::tool

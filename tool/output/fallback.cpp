@@ -7,7 +7,7 @@ namespace symreal::tool {
 
 static bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
 
-// Where a declaration names its function: before it stands what the function returns.
+// Offset of the function's name in its declaration, behind the return type.
 static std::size_t name_in(std::string const &declaration, std::string const &name) {
   std::size_t at = declaration.find(name + "(");
   while (at != 0 && at != declaration.npos && is_word(declaration[at - 1])) at = declaration.find(name + "(", at + 1);

@@ -1,5 +1,5 @@
-// What a wrapper does where the generated code is not the original: it calls that, which the user provides under
-// another name.
+// Fallback of a wrapper to the original, which the user provides under another name, on calls that the generated code
+// does not cover.
 #pragma once
 
 #include "rewrite/rewrite.h"
@@ -9,13 +9,13 @@
 namespace symreal::tool {
 
 struct Fallback {
-  std::string declaration; // of the original under the name `name`
+  std::string declaration; // declares the original as `name`
   std::string statement;   // calls it with the wrapper's arguments and returns
-  std::string way;         // how the original gets the name
+  std::string way;         // instructions for renaming the original
 };
 
-// A plain function is compiled under another name; the symbol of any other (in a namespace, a member, overloaded) is
-// renamed in its object file, and called as a function of C linkage.
+// A plain function is compiled under another name; for any other (in a namespace, a member, overloaded), the symbol in
+// the object file is renamed and called with C linkage.
 Fallback fallback(rewrite::Kernel const &kernel, std::string const &name);
 
 } // namespace symreal::tool

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
   fail(DiagnosticId::unwritable_output, {folder}, "'" + folder + "' " + why + "; it is left as it is");
 }
 
-// What a generated file is of, by its first line.
+// Kernel and prefix of a generated file, by its banner.
 struct Origin {
   std::string kernel, prefix;
   bool operator==(Origin const &) const = default;

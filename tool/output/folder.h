@@ -1,4 +1,4 @@
-// A folder that is written as a whole.
+// Output folders that are written as a whole.
 #pragma once
 
 #include "program/build/durable_files.h"
@@ -8,14 +8,14 @@
 
 namespace symreal::tool {
 
-// Its path, without a slash at the end.
+// Path of the folder without a trailing slash.
 std::string folder_path(std::string const &given);
 
-// Fails unless the files may stand in the folder: it is not there, is empty, or is what Symreal wrote for the same
-// kernel. The first file tells that by its first line.
+// Fails unless the folder is absent, empty, or written by Symreal for the same kernel, as the first line of its first
+// file tells.
 void require_folder(OutputFolder const &folder);
 
-// A folder that is not there appears with all of its files at once.
+// Stages the files; a new folder appears with all of them at once.
 void stage_folder(OutputFolder const &folder, program::StagedFiles &staged);
 
 } // namespace symreal::tool

@@ -1,4 +1,4 @@
-// The map from lines of generated code to source lines, as JSON.
+// Map from lines of generated code to source lines, as JSON.
 #pragma once
 
 #include "engine/emit/language/emitted.h"
@@ -8,7 +8,7 @@
 namespace symreal::tool {
 
 // {"version": 1, "file": "arm.c", "lines": [{"first": 9, "last": 10, "sources": [[{"file": ..., "line": ..., "column":
-// ...}, ...], ...]}, ...]}. Each source is a list of places: the user's own, then those further in.
+// ...}, ...], ...]}, ...]}. Each source is a list of places: the user's own, then inlined ones.
 std::string line_map(EmittedFile const &file, Graph const &graph);
 
 } // namespace symreal::tool

@@ -65,7 +65,7 @@ void require_unread(std::string const &path) {
            ", and a result would take its place");
 }
 
-// Results, by what they are, that would fall together.
+// Paths of the results; fails if two denote one file.
 class Places {
 public:
   void add(std::string const &path) {

@@ -1,4 +1,4 @@
-// The files that a run leaves: all of them or none, and none in the place of a file that it has read.
+// Output of a run's files: all of them or none, and none replaces a file that the run has read.
 #pragma once
 
 #include "engine/plan/lanes/lanes.h"
@@ -16,43 +16,41 @@ struct OutputFile {
   std::string path, text;
 };
 
-// A directory that is handed on as a whole; the paths of its files begin with its own.
+// A directory written as a whole; the paths of its files include its own.
 struct OutputFolder {
   std::string path;
   std::vector<OutputFile> files;
 };
 
-// All that a command writes.
+// All outputs of a command.
 struct Outputs {
   std::vector<OutputFile> files;
   std::vector<OutputFolder> folders = {};
-  std::vector<std::string> directories = {}; // made where there are none
+  std::vector<std::string> directories = {}; // created if missing
 };
 
-// The schedule as C and C++ print it, where that is among the languages: what loops and vectors are looked for in.
+// The schedule as C and C++ print it, if they are among the languages; loops and vectors are searched in it.
 Schedule as_emitted(Schedule const &plan, EmitterOptions const &options, FloatingPoint mode,
                     std::vector<Language const *> const &languages);
 
-// Generated code beside `path`, which gives it its name: of each language the source, its header and on request the
-// mainline.
+// Generated code, named after `path`: for each language the source, its header and, on request, the mainline.
 std::vector<OutputFile> emitted_files(Schedule const &plan, EmitterOptions const &options, FloatingPoint mode,
                                       std::vector<Language const *> const &languages, std::string const &path,
                                       Rerolled const *loops = nullptr, Laned const *lanes = nullptr);
 
-// Fails when a file of this name cannot be written, or was read; before the work is done, so that it is not done in
-// vain.
+// Fails if the file cannot be written or was read. Call before the work, lest it be in vain.
 void require_writable(std::string const &path);
-// The same for several, which must not fall together; empty ones are left out.
+// Checks several paths, which must differ; skips empty ones.
 void require_writable(std::vector<std::string> const &paths);
 
-// Makes a directory where there is none.
+// Creates a missing directory.
 void make_directory(std::string const &path);
 
-// Does the disk hold these files? What differs is reported, and its difference printed to standard output.
+// Are these files on disk with the same content? Reports differing ones; prints the differences to standard output.
 bool check_files(std::vector<OutputFile const *> const &files);
 
-// Each command writes its results by one call of this, which is where they are held against each other and against
-// what was read. Returns the paths of the files. Files that are up to date are left alone.
+// Writes all results of a command, which calls it once; checks them against each other and against the files read.
+// Returns the files' paths. Leaves up-to-date files alone.
 std::vector<std::string> write_outputs(Outputs const &outputs);
 
 } // namespace symreal::tool

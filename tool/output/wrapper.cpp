@@ -40,7 +40,7 @@ fs::path real(fs::path const &path) {
   return fs::weakly_canonical(fs::absolute(path.empty() ? "." : path), error);
 }
 
-// A path from where the wrapper is, unless they share no directory but the root.
+// Path relative to the wrapper's directory; absolute if they share only the root.
 std::string path_from(fs::path const &directory, fs::path const &file) {
   fs::path const from = real(directory);
   bool const is_near = std::next(from.begin()) != from.end() && *std::next(from.begin()) == *std::next(file.begin());
@@ -52,7 +52,7 @@ std::string include_line(rewrite::Include const &include, fs::path const &direct
   return "#include " + name + "\n";
 }
 
-// Parameters change seldom, so what depends on them alone is kept.
+// Function that caches the values that depend on parameters alone, as these change seldom.
 std::string constants_function(Graph const &graph, std::string const &prefix) {
   return fmt::format(R"(
 #ifndef SYMREAL_PER_THREAD
@@ -95,7 +95,7 @@ static inline void symreal_refuse(char const *symreal_what) {
 }
 )";
 
-// Functions that the generated code calls may call the wrapper again, with other parameters.
+// Statements that provide the constants; external functions may reenter the wrapper with other parameters.
 std::string constants_statements(Graph const &graph, std::string const &prefix) {
   std::size_t const count = graph.precomputed.size();
   if (count == 0)
@@ -111,7 +111,7 @@ std::string constants_statements(Graph const &graph, std::string const &prefix) 
                      count, prefix);
 }
 
-// Without names of parameters, which may be macros of the program.
+// Declarations without parameter names, which may be macros of the program.
 std::string c_declarations(Graph const &graph, std::string const &prefix) {
   return fmt::format("#ifdef __cplusplus\nextern \"C\" {{\n#endif\n"
                      "void {0}preprocess(double const *, double *);\n"
@@ -120,7 +120,7 @@ std::string c_declarations(Graph const &graph, std::string const &prefix) {
                      prefix, graph.guards.empty() ? "void" : "int");
 }
 
-// Statements for a call that the generated code is not for.
+// Statements for calls that the generated code does not cover.
 std::string other_calls(program::Recorded const &recorded, std::vector<program::ExtentCheck> const &extents,
                         Fallback const *original) {
   std::string text;
@@ -150,7 +150,7 @@ std::string call_of(std::string const &prefix) {
 
 bool caches(Graph const &graph) { return !graph.precomputed.empty() && graph.parameter_count() != 0; }
 
-// The text that both forms have before the function.
+// Text before the function, common to both forms.
 std::vector<std::string> preamble(program::Recorded const &recorded, Graph const &graph, std::string const &prefix) {
   std::vector<std::string> blocks = program::baked_helpers(recorded);
   std::vector<std::string> const templates = program::wrapper_templates(recorded.kernel, graph);
@@ -203,7 +203,7 @@ std::string indented(std::string const &text, std::string const &by) {
   return result;
 }
 
-// The statements before the body in a copy; the body is the fallback.
+// Statements before the body in a copy; the body is the fallback.
 std::string try_statements(program::Recorded const &recorded, Graph const &graph, std::string const &prefix) {
   std::string checks = program::baked_checks(recorded, program::Otherwise::remember);
   for (program::ExtentCheck const &one : program::wrapper_extents(recorded.kernel, graph))
@@ -220,7 +220,7 @@ std::string try_statements(program::Recorded const &recorded, Graph const &graph
          indented(inner, "    ") + "    }\n  }\n";
 }
 
-// A file of the program, and the copy of it.
+// A file of the program, and its copy.
 struct Copy {
   rewrite::File const *file;
   std::string path;
@@ -231,7 +231,7 @@ Copy const *copy_of(std::vector<Copy> const &copies, std::string const &file) {
   return found == copies.end() ? nullptr : &*found;
 }
 
-// A header that a file includes from beside it; empty if it is found elsewhere.
+// Path of a header beside the including file; empty if it is found elsewhere.
 std::string beside(rewrite::File const &file, std::string const &name) {
   std::error_code error;
   fs::path const path = fs::path(file.path).parent_path() / name;
@@ -244,7 +244,7 @@ std::regex const &inclusions() {
   return pattern;
 }
 
-// Inclusions from beside the source are found from where the copy is.
+// Rewrites inclusions of neighbouring headers for the copy's location.
 std::string with_inclusions(std::string const &text, Copy const &copy, std::vector<Copy> const &copies) {
   std::string result;
   std::size_t begin = 0;
@@ -264,7 +264,7 @@ bool is_source(program::Front const &front, std::string const &file) {
   return std::ranges::any_of(front.build.sources, [&](auto const &one) { return rewrite::real_source(one) == file; });
 }
 
-// A function's own file. With a header, the files that include it from beside themselves, which would find the header.
+// Files to copy: the function's own; for a header, also the files that include it from beside themselves, transitively.
 std::set<std::string> copied_with(program::Front const &front, std::string const &file) {
   std::set<std::string> copied = {file};
   for (bool grows = !is_source(front, file); grows;) {
@@ -281,7 +281,7 @@ bool is_within(fs::path const &file, fs::path const &directory) {
   return !inside.empty() && *inside.begin() != "..";
 }
 
-// The directory below which copies stand as the files do. A header that is searched for keeps its name.
+// Directory below which the copies mirror the files. A header found in a search directory keeps its name.
 fs::path root_of(program::Front const &front, std::set<std::string> const &files) {
   fs::path root = fs::path(*files.begin()).parent_path();
   if (files.size() == 1)
@@ -292,7 +292,7 @@ fs::path root_of(program::Front const &front, std::set<std::string> const &files
   return root;
 }
 
-// C and C++ before C99 and C++11, in which wrappers are not written.
+// The flag for C99 or C++11, which wrappers need, if the flags select an older standard; else empty.
 std::string later_standard(std::vector<std::string> const &flags, bool c) {
   std::string standard;
   for (std::string const &flag : flags)
@@ -302,7 +302,7 @@ std::string later_standard(std::vector<std::string> const &flags, bool c) {
   return "";
 }
 
-// The compiler's objection, as the project compiles the original; empty if it has none.
+// First error of the compiler under the original's flags; empty on success.
 std::string compiler_objection(program::Front const &front, rewrite::Kernel const &kernel, std::string const &source,
                                std::vector<OutputFile> const &files, OutputFile const *main) {
   auto const compiled =
@@ -375,7 +375,7 @@ std::vector<OutputFile> Wrappers::add(program::Recorded const &recorded, Graph c
   return {};
 }
 
-// Each copy is one function's: the generated code of all kernels of a run has the same names.
+// Makes the copies for one function: the generated code of all kernels of a run uses the same names.
 std::vector<OutputFile> Wrappers::copies_for(Inserted const &inserted, std::vector<Diagnostic> &remarks) const {
   rewrite::Redefinition const &function = inserted.kernel.signature.redefinition;
   std::set<std::string> const copied = copied_with(front_, function.file);
@@ -399,7 +399,7 @@ std::vector<OutputFile> Wrappers::copies_for(Inserted const &inserted, std::vect
       before = with_inclusions(text.substr(0, function.body), copy, copies) + "\n" + inserted.statements +
                fmt::format("#line {} {}\n", lines + 1, name);
     }
-    // A header may be included again.
+    // Adds an include guard, as a header may be included repeatedly.
     if (is_here && !is_source(front_, copy.file->path))
       top = fmt::format("#ifndef SYMREAL_COPY_WITH_{0}\n#define SYMREAL_COPY_WITH_{0}\n{1}#endif\n",
                         identifier(inserted.kernel.name), top);

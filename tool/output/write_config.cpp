@@ -12,7 +12,7 @@
 namespace symreal::tool {
 namespace {
 
-using Clauses = std::vector<std::pair<std::string, std::vector<std::string>>>; // by key, in the order of the pragma
+using Clauses = std::vector<std::pair<std::string, std::vector<std::string>>>; // by key, in the pragma's order
 
 std::vector<std::string> split(std::string const &list) {
   std::vector<std::string> names;
@@ -34,7 +34,7 @@ Clauses clauses_of(Lacking const &lacking) {
 
 std::string list(std::vector<std::string> const &names) { return fmt::format("{}", fmt::join(names, ", ")); }
 
-// Changes to the text of a file, at the places that its reader tells.
+// Changes to the text of a file, at places that its reader reports.
 class Changes {
 public:
   explicit Changes(std::string text) : text_(std::move(text)) {
@@ -42,7 +42,7 @@ public:
   }
 
   std::size_t offset(Place const &place) const { return lines_.at(place.line - 1) + place.column - 1; }
-  std::size_t line_of(std::size_t offset) const { return text_.rfind('\n', offset) + 1; } // its beginning
+  std::size_t line_of(std::size_t offset) const { return text_.rfind('\n', offset) + 1; } // begin of the line
   std::size_t next_line(std::size_t offset) const {
     std::size_t const end = text_.find('\n', offset);
     return end == text_.npos || end + 1 >= text_.size() ? text_.npos : end + 1;
@@ -50,14 +50,14 @@ public:
   std::string indentation(std::size_t offset) const { return std::string(offset - line_of(offset), ' '); }
   char at(std::size_t offset) const { return text_[offset]; }
 
-  // Behind the quoted or plain word that begins here.
+  // Offset behind the quoted or plain word that begins here.
   std::size_t end_of_word(std::size_t begin) const {
     if (text_[begin] == '"' || text_[begin] == '\'') return text_.find(text_[begin], begin + 1) + 1;
     std::size_t end = std::min(text_.find_first_of("\n#,]}", begin), text_.size());
     while (end > begin && text_[end - 1] == ' ') --end;
     return end;
   }
-  // The bracket that closes the one here.
+  // Offset of the bracket that closes the one here.
   std::size_t closing(std::size_t open) const {
     std::size_t depth = 0;
     for (std::size_t at = open; at < text_.size(); ++at) {
@@ -70,7 +70,7 @@ public:
   }
 
   void insert(std::size_t offset, std::string const &text) { insertions_[offset] += text; }
-  // Below the line of this offset.
+  // Adds a line below the one of this offset.
   void add_line(std::size_t offset, std::string const &text) {
     std::size_t const next = next_line(offset);
     next == text_.npos ? append(text + "\n") : insert(next, text + "\n");
@@ -87,7 +87,7 @@ public:
 
 private:
   std::string text_;
-  std::vector<std::size_t> lines_; // their beginnings
+  std::vector<std::size_t> lines_; // begins of the lines
   std::map<std::size_t, std::string> insertions_;
 };
 
@@ -105,7 +105,7 @@ void extend_list(Changes &changes, Yaml const &value, std::vector<std::string> c
   } else if (!value.is_list()) {
     changes.insert(begin, "[");
     changes.insert(changes.end_of_word(begin), ", " + list(names) + "]");
-  } else { // a line each
+  } else { // one line each
     std::size_t const line = changes.line_of(begin);
     for (std::string const &name : names) changes.insert(line, changes.indentation(begin) + "- " + name + "\n");
   }
@@ -134,7 +134,7 @@ void extend_entry(Changes &changes, Yaml const &kernel, Clauses const &clauses) 
   }
 }
 
-// The entry whose function this kernel is: the place is that of the function's name in it.
+// The entry for this kernel: the kernel's place is that of the function's name in the entry.
 std::optional<Yaml> entry_of(rewrite::Kernel const &kernel, std::string const &function, Yaml const &kernels) {
   for (Yaml const &one : kernels.list()) {
     if (!one.is_map()) continue;

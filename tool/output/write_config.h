@@ -1,4 +1,4 @@
-// Puts what the pragmas of kernels lack into the project's configuration.
+// Writes the clauses that the pragmas of kernels lack into the project's configuration.
 #pragma once
 
 #include "program/record/record.h"
@@ -11,12 +11,12 @@ namespace symreal::tool {
 
 struct Lacking {
   rewrite::Kernel kernel;
-  std::map<std::string, std::string> clauses; // by clause: "name, name"
+  std::map<std::string, std::string> clauses; // arguments by clause: "name, name"
 };
 
-// The text of the configuration with these clauses in the entries of their kernels; comments stay. An entry is made for
-// a function whose pragma stands in a source. `file` need not exist. Throws configuration for a kernel that no entry
-// can name, and for a form of YAML that is not understood.
+// The configuration's text with these clauses in their kernels' entries; comments stay. A function whose pragma stands
+// in a source gets a new entry. `file` need not exist. Throws configuration for a kernel that no entry can name, and
+// for unsupported YAML.
 std::string with_clauses(std::string const &file, std::vector<Lacking> const &lacking);
 
 } // namespace symreal::tool

@@ -1,4 +1,4 @@
-// What is handed on whole must bring along what it calls.
+// Check that a bundle is self-contained.
 #pragma once
 
 #include "engine/graph/graph.h"

@@ -31,7 +31,7 @@ std::string functions_text(bool has_guards) {
   return text + "    return output\n\n\n";
 }
 
-// What the graph gives for the recorded values.
+// Outputs of the graph for the recorded values.
 std::vector<double> expected_outputs(Graph const &graph) {
   std::vector<double> const values = evaluate(graph, graph.input_values, graph.parameter_values);
   std::vector<double> outputs;

@@ -1,4 +1,4 @@
-// The Python sources of a package.
+// Python sources of a package.
 #pragma once
 
 #include "engine/emit/print/emission.h"
@@ -7,14 +7,14 @@
 
 namespace symreal::tool {
 
-// Python for a module of its own: no prefix stands before names.
+// Python without a prefix before names, since the module separates them.
 Language package_language();
 
-// __init__.py, with the names that the plain module has (emit/languages/python.cpp).
+// Text of __init__.py, with the names of the plain module (emit/languages/python.cpp).
 std::string module_text(Schedule const &plan, EmitOptions const &options);
-// __init__.pyi: its types.
+// Text of __init__.pyi: its types.
 std::string stub_text(Schedule const &plan, EmitOptions const &options);
-// The test that the package brings along.
+// Text of the test in the package.
 std::string test_text(Schedule const &plan, EmitOptions const &options);
 
 } // namespace symreal::tool

@@ -1,4 +1,4 @@
-// --package: a kernel as a Python package, whose C is compiled where the package is installed.
+// --package: writes a kernel as a Python package whose C code is compiled at installation.
 #pragma once
 
 #include "tool/output/outputs.h"
@@ -8,7 +8,7 @@
 
 namespace symreal::tool {
 
-// The files of the package, in `folder`; pyproject.toml first. It is called as --prefix says, or as the kernel.
+// Files of the package in `folder`, pyproject.toml first. --prefix or else the kernel names it.
 std::vector<OutputFile> package_files(Schedule const &plan, EmitterOptions const &options, FloatingPoint mode,
                                       std::string const &folder);
 

@@ -1,4 +1,4 @@
-// --package: the folder of a Python package in place of source files.
+// --package: folder of a Python package, in place of source files.
 #pragma once
 
 #include "tool/package/package.h"
@@ -15,9 +15,9 @@ struct PackageOption {
 
   void add_to(CLI::App &app);
   bool is_given() const { return !folder.empty(); }
-  // Fails for options of the subcommand about files that are not written beside a package.
+  // Fails for options about files that are not written beside a package.
   void require_sense(CLI::App &command) const;
-  // With several kernels the option names a folder of packages.
+  // The package's folder; with several kernels the option names a folder of packages.
   OutputFolder package(Schedule const &plan, EmitterOptions const &options, FloatingPoint mode, bool several) const;
 };
 

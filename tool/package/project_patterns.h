@@ -1,4 +1,4 @@
-// The files around the Python and the C of a package.
+// Patterns of a package's build files and C code.
 #pragma once
 
 #include <string_view>
@@ -27,7 +27,7 @@ zip-safe = false
 $base = ["*.pyi", "py.typed"]
 )";
 
-// The library is no module of Python's: it needs none of its headers, and no function that begins a module.
+// Pattern of setup.py. The library is a plain shared library, without Python headers or a module entry point.
 inline constexpr std::string_view setup_pattern = R"(
 """Compiles the C sources into a shared library beside the module."""
 import os
@@ -87,7 +87,7 @@ output = $base.compute(input, constants)   # $inputs numbers to $outputs; the ax
 `$base.Input` and `$base.Output` name the objects, `pack` and `unpack` turn them into arrays and back.
 )";
 
-// The loops over a batch are in C, so that they run without the interpreter's lock.
+// Pattern of the loops over a batch, in C so that they run without the interpreter's lock.
 inline constexpr std::string_view batch_pattern = R"(#include "$base.h"
 
 #include <stdint.h>

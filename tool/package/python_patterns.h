@@ -1,4 +1,4 @@
-// The Python of a package, beside what it shares with the plain module.
+// Patterns of a package's Python code, besides the code shared with the plain module.
 #pragma once
 
 #include <string_view>

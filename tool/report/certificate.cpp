@@ -18,11 +18,11 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-constexpr int form = 1; // of certificates
+constexpr int form = 1; // version of the certificate format
 
 fs::path directory_of(std::string const &path) { return fs::weakly_canonical(fs::absolute(path)).parent_path(); }
 
-// Files that share no more than the root are named from there.
+// Path relative to the directory; absolute if they share only the root.
 std::string seen_from(fs::path const &directory, fs::path const &file) {
   auto const first = [](fs::path const &path) {
     return path.relative_path().empty() ? path : *path.relative_path().begin();
@@ -30,8 +30,8 @@ std::string seen_from(fs::path const &directory, fs::path const &file) {
   return (first(directory) == first(file) ? file.lexically_relative(directory) : file).string();
 }
 
-// Names of files as seen from where the certificate was made, which the certificate names as seen from itself: so it
-// holds wherever the user is, and moves with its project.
+// File names relative to the directory where the certificate was made, which it stores relative to itself: so it is
+// valid from any directory and moves with its project.
 class Names {
 public:
   Names(fs::path const &directory, Verified const &verified)
@@ -46,7 +46,7 @@ public:
   void move(Place &place) const {
     if (!place.file.empty() && fs::exists(place.file)) place.file = of(place.file);
   }
-  // Every text that is a name, or a place in a file.
+  // Converts every string that is a file name or a place in a file.
   void move(Json &json) const {
     if (json.is_structured())
       for (auto &one : json) move(one);
@@ -57,10 +57,10 @@ public:
 
 private:
   fs::path directory_;
-  std::set<std::string> shown_; // as messages name the files
+  std::set<std::string> shown_; // file names in messages
 };
 
-// Flags, in which the directories and headers are named as all files are.
+// Flags with directories and headers named like all files.
 Json named_flags(std::vector<std::string> flags, Names const &names) {
   std::string_view before;
   for (std::string &flag : flags) {
@@ -76,7 +76,7 @@ Json named_flags(std::vector<std::string> flags, Names const &names) {
   return flags;
 }
 
-// The library that a file names is compared by itself.
+// Hash of a generated file without the mathematical library that it names, which is compared separately.
 std::string generated_hash(std::string const &path) {
   return program::content_hash(without_reference(read_file(path)));
 }
@@ -98,7 +98,7 @@ std::string digest_of(Json json) {
   return program::content_hash(json.dump());
 }
 
-// What the same run gives again: no times.
+// The reproducible part of a run: without times.
 Json repeatable(Json json) {
   for (Json &record : json["verified"])
     if (record.contains("parallel")) record["parallel"].erase("nanoseconds");
@@ -115,8 +115,7 @@ void compare_hashes(Json const &one, Json const &other, std::string_view what, s
     if (!one.contains(name)) found.push_back(fmt::format("{} '{}' is new", what, name));
 }
 
-// The files that generation has written beside a generated file, by the first line that all of them have or, in
-// wrappers, by their name.
+// Companions of a generated file: files with the same banner, or wrappers by their name.
 std::vector<std::string> written_beside(std::string const &generated) {
   std::vector<std::string> files;
   std::string const stem = fs::path(generated).stem().string();
@@ -140,7 +139,7 @@ std::vector<std::string> written_beside(std::string const &generated) {
   return files;
 }
 
-// The first member that differs, as a path.
+// Path of the first member that differs.
 std::string first_difference(Json const &one, Json const &other, std::string const &path) {
   if (one == other) return {};
   if (one.is_object() && other.is_object())
@@ -177,7 +176,7 @@ Json certificate(Verified const &verified, std::vector<VerificationRecord> const
   json["verified"] = Json::array();
   for (VerificationRecord const &record : records) {
     json["verified"].push_back(to_json(record));
-    json["verified"].back().erase("mathematics"); // said above
+    json["verified"].back().erase("mathematics"); // stored above
   }
   names.move(json["verified"]);
   return json;
@@ -226,9 +225,9 @@ std::vector<std::string> differences(Json const &certificate, Json const &run) {
   std::vector<std::string> found;
   compare_hashes(certificate["sources"], run["sources"], "source", found);
   compare_hashes(certificate["generated"], run["generated"], "generated file", found);
-  // Files that were generated beside them since are not in it.
+  // Ignores companions that were generated later.
   Json beside = Json::object();
-  Json const certified = certificate.value("beside", Json::object()); // older ones have none
+  Json const certified = certificate.value("beside", Json::object()); // absent in older certificates
   for (auto const &[name, hash] : certified.items())
     if (run["beside"].contains(name)) beside[name] = run["beside"][name];
   compare_hashes(certified, beside, "generated file", found);

@@ -1,5 +1,4 @@
-// A certificate: what was verified, of which files, and what came out, in a JSON file that others can check against
-// their own run.
+// Certificate of a verification: a JSON file with inputs and results, which others can check against their own run.
 #pragma once
 
 #include "tool/report/verification_record.h"
@@ -12,36 +11,35 @@
 
 namespace symreal::tool {
 
-// What a verification is of: the files of the program within its roots, the generated files and those that were
-// generated beside them (headers, wrappers, gateways, other languages), and the graphs between, each by the SHA-256 of
-// its text.
+// Inputs of a verification: the program's files within its roots, the generated files with their companions (headers,
+// wrappers, gateways, other languages), and the graphs between, each by the SHA-256 of its text.
 struct Verified {
   program::Front const *front;
   std::vector<std::string> flags, generated;
 };
 
-// `from`: the directory from which it names files.
+// Makes a certificate. `from`: directory that file names are relative to.
 nlohmann::ordered_json certificate(Verified const &verified, std::vector<VerificationRecord> const &records,
                                    std::string const &from);
 
-// Makes it whole for the file of this name, made here: it says where files are named from, as seen from the file, and
-// its last member is the hash of all before it, so that a certificate that was edited is none.
+// Completes a certificate that was made here, for the file at `path`: adds the directory that names are relative to, as
+// seen from the file, and last a hash of everything before, which detects edits.
 void finish_certificate(nlohmann::ordered_json &certificate, std::string const &path);
 
-// The directory from which the certificate that lies there names files.
+// Directory that names in the certificate at `path` are relative to.
 std::string made_from(nlohmann::ordered_json const &certificate, std::string const &path);
 
-// Throws verification_file for a file that is no certificate of this version of Symreal, or was edited.
+// Reads a certificate. Throws verification_file for a file of another version or kind, or one that was edited.
 nlohmann::ordered_json read_certificate(std::string const &path);
 
-// The options under which it was made. Throws verification_file.
+// Options of the certified run. Throws verification_file.
 program::VerificationOptions options_of(nlohmann::ordered_json const &certificate, std::string const &path);
 
-// What the run shows otherwise than the certificate says; empty if nothing. What depends on the clock is not compared.
+// Differences between the run and the certificate, except times; empty if they agree.
 std::vector<std::string> differences(nlohmann::ordered_json const &certificate, nlohmann::ordered_json const &run);
 
-// A sentence if the mathematical library chose other code, or is another, than `before`; else empty. The figures
-// are then those of another reference. `made`: "the certificate was written", before which nothing was known if empty.
+// A sentence if the mathematical library is another than `before` or chose other code, since figures then have another
+// reference; else empty. `made`: "the certificate was written"; if empty, no library was known before.
 std::string other_mathematics(std::string const &made, std::string const &before, std::string const &now);
 
 } // namespace symreal::tool

@@ -13,7 +13,7 @@ namespace symreal::tool {
 
 namespace {
 
-// $SYMREAL_PROGRESS, in seconds.
+// Interval between progress lines: $SYMREAL_PROGRESS, in seconds.
 std::chrono::duration<double> interval(bool is_terminal) {
   constexpr double on_terminal = 1, elsewhere = 10;
   char const *const asked = std::getenv("SYMREAL_PROGRESS");

@@ -1,7 +1,7 @@
-// How a run talks to a person: progress, diagnostics and the program's output on standard error.
+// Console of a run: progress, diagnostics and the program's output, on standard error.
 //
-// The counts of a stage (support/progress.h) and its time stand on a terminal in a line that is written
-// again and again; elsewhere in a line of its own now and then.
+// On a terminal, a stage's counts (support/progress.h) and time are updated in one line; elsewhere they are printed as
+// lines at intervals.
 #pragma once
 
 #include "program/record/front.h"
@@ -21,15 +21,15 @@ public:
   Console(Console const &) = delete;
   Console &operator=(Console const &) = delete;
 
-  // Bound to this console, which must outlive it.
+  // Callbacks bound to this console, which must outlive them.
   program::Talk talk();
 
-  // A stage begins, and the one before ends.
+  // Ends the previous stage and begins another one.
   void stage(std::string_view name);
   void report(Diagnostic const &diagnostic);
-  // A line to the user that is no diagnostic.
+  // Prints a line for the user that is not a diagnostic.
   void note(std::string const &text);
-  // The stage ends: what it comes to is printed next.
+  // Ends the stage, before its result is printed.
   void clear();
 
 private:
@@ -42,10 +42,10 @@ private:
 
   bool is_terminal_;
   bool line_shown_ = false;
-  std::chrono::duration<double> interval_; // between lines; 0: none
-  std::mutex mutex_;                       // of all that follows, and of standard error
+  std::chrono::duration<double> interval_; // interval between lines; 0: no lines
+  std::mutex mutex_;                       // guards the members below and standard error
   std::condition_variable changed_;
-  std::string stage_; // empty: none
+  std::string stage_; // empty: no stage
   Clock::time_point begun_, next_;
   bool is_over_ = false;
   std::thread watcher_;

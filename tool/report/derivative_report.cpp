@@ -26,7 +26,7 @@ std::string name_of(Result const &result, std::size_t k) {
   return element_name(result.objects, static_cast<std::uint32_t>(slot)).value_or("element " + std::to_string(k));
 }
 
-// The element that is farthest off: of those that differ, if some do.
+// The element with the largest error; one that differs comes first.
 std::size_t worst_of(Result const &result, Object const &object) {
   std::size_t const first = first_of(result, object);
   auto key = [&](std::size_t k) {
@@ -184,7 +184,7 @@ Result derivatives_of(Json const &json, std::size_t outputs) {
 std::optional<Diagnostic> derivative_failure(Result const &result, std::string const &file, bool is_whole) {
   if (std::optional<Diagnostic> failure = off_differences(result, file)) return failure;
   if (std::optional<Diagnostic> failure = off_formulas(result, file)) return failure;
-  if (!is_whole) return {}; // the other shards may judge
+  if (!is_whole) return {}; // other shards may judge the rest
   std::size_t const wanted = std::min(program::least_judged, std::max<std::size_t>(result.tried / 2, 1));
   for (std::size_t k = 0; k < result.elements.size(); ++k)
     if (result.elements[k].judged < wanted)

@@ -1,4 +1,4 @@
-// What a verification says of derivatives.
+// Report on the verification of derivatives.
 #pragma once
 
 #include "verify/derivative_verification.h"
@@ -12,10 +12,10 @@ namespace symreal::tool {
 
 void print_derivatives(std::ostream &out, program::DerivativeResult const &result);
 nlohmann::ordered_json to_json(program::DerivativeResult const &result);
-// Of a kernel with so many outputs of its own. Throws what nlohmann::json throws.
+// Reads the result for a kernel with `outputs` outputs of its own. Throws what nlohmann::json throws.
 program::DerivativeResult derivatives_of(nlohmann::ordered_json const &json, std::size_t outputs);
 
-// Where they are wrong, or where too few samples can tell.
+// Diagnostic for derivatives that are wrong, or that too few samples judge.
 std::optional<Diagnostic> derivative_failure(program::DerivativeResult const &result, std::string const &file,
                                              bool is_whole);
 

@@ -17,7 +17,7 @@ void FrozenOption::require_sense() const { require_one_of("--frozen", policy, "s
 bool report_frozen(std::vector<program::Recorded> const &kernels, FrozenOption const &option, Console &console) {
   bool is_error = false;
   for (program::Recorded const &recorded : kernels) {
-    std::size_t last = recorded.graph.frozen.size(); // that is complained about
+    std::size_t last = recorded.graph.frozen.size(); // index of the last state that is reported
     for (std::size_t i = 0; i < recorded.graph.frozen.size(); ++i)
       if (frozen_severity(recorded.graph.frozen[i], option.policy)) last = i;
     auto const clause = recorded.clauses.find("constant");

@@ -1,4 +1,4 @@
-// State that a kernel read and that is neither input nor parameter: what becomes of it by --frozen.
+// --frozen: treatment of state that a kernel read although it is neither input nor parameter.
 #pragma once
 
 #include "program/record/record.h"
@@ -8,7 +8,7 @@
 
 namespace symreal::tool {
 
-// --frozen
+// The option --frozen.
 struct FrozenOption {
   std::string policy = "state";
 
@@ -16,7 +16,7 @@ struct FrozenOption {
   void require_sense() const;
 };
 
-// False when it is an error.
+// Reports the state; false if the policy makes it an error.
 bool report_frozen(std::vector<program::Recorded> const &kernels, FrozenOption const &option, Console &console);
 
 } // namespace symreal::tool

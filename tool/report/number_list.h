@@ -1,4 +1,4 @@
-// The inputs of a sample in a message: the first 16.
+// Inputs of a sample for a message: the first 16.
 #pragma once
 
 #include <string>

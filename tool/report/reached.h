@@ -1,5 +1,4 @@
-// What a scan tells of one function: what it reaches, and what of that stands in the way of a kernel or depends on
-// values.
+// Report of a scan on one function: what it reaches, the obstacles to a kernel there, and the dependences on values.
 #pragma once
 
 #include "rewrite/facts/result.h"

@@ -9,11 +9,11 @@ namespace {
 
 using rewrite::Fate;
 
-// Entries that say the same, with the first of them.
+// Equal entries, with the place of the first.
 struct Group {
   std::size_t count = 0;
   Place first;
-  std::string words; // of the first
+  std::string words; // text of the first
   void add(Place const &place, std::string const &said = {}) {
     if (count++ != 0) return;
     first = place;
@@ -23,7 +23,7 @@ struct Group {
 
 std::string percent(Tally const &tally) {
   if (tally.compiled() == 0) return "-";
-  // Rounded down: 100% means all of them.
+  // Rounds down: 100% means all of them.
   return std::to_string(tally.converted() * 100 / tally.compiled()) + "%";
 }
 

@@ -1,4 +1,4 @@
-// What a scan tells: how much of the sources converts, what is in the way, what will depend on values.
+// Report of a scan: share of the sources that converts, obstacles, and dependences on values.
 #pragma once
 
 #include "rewrite/rewrite.h"
@@ -11,7 +11,7 @@
 
 namespace symreal::tool {
 
-// Of the word `double`.
+// Counts of the word `double`, by fate.
 struct Tally {
   std::array<std::size_t, 5> counts{}; // by Fate
   std::size_t floats = 0, long_doubles = 0;
@@ -27,11 +27,11 @@ struct Tally {
 
 Tally tally(std::vector<rewrite::Spelling> const &ledger);
 
-// `list`: also every place.
+// Prints the report; with `list`, every place.
 void print_readiness(std::ostream &out, rewrite::Request const &request, rewrite::Result const &result, bool list);
 nlohmann::ordered_json readiness_json(rewrite::Request const &request, rewrite::Result const &result);
 
-// SARIF 2.1.0: the obstacles, and what will depend on values.
+// SARIF 2.1.0: obstacles, and dependences on values.
 nlohmann::ordered_json sarif(rewrite::Result const &result);
 
 } // namespace symreal::tool

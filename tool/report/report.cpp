@@ -68,7 +68,7 @@ void print_objects(std::ostream &out, char const *role, std::vector<Object> cons
                extents(object));
 }
 
-// Fewer operations are what makes generated code faster. Where there are as many, the loops of the original may be.
+// Warns if the operations are not fewer: then the original's vectorised loops may be faster.
 void print_gain(std::ostream &out, Graph const &graph) {
   std::size_t const before = graph.executed.arithmetic(), after = statistics(graph).compute.arithmetic();
   if (after == 0 || 10 * after < 9 * before) return;
@@ -79,7 +79,7 @@ void print_gain(std::ostream &out, Graph const &graph) {
       after, before);
 }
 
-// In words.
+// Treatment of a decision, in words.
 std::string became(program::DecidedPlace const &decision) {
   std::string text;
   for (auto const &[is_so, word] : {std::pair(decision.is_selected, "select"),
@@ -147,7 +147,7 @@ Json to_json(program::Exploration const &exploration) {
   return json;
 }
 
-// Numbered as `compute` returns them.
+// Prints the guards, numbered as `compute` returns them.
 void print_guards(std::ostream &out, Graph const &graph, bool details) {
   constexpr std::size_t most = 10;
   std::size_t const count = graph.guards.size(), shown = details ? count : std::min(count, most);

@@ -1,4 +1,4 @@
-// What a run on a kernel did, for the user: a table, or JSON.
+// Report on the run on a kernel: a table, or JSON.
 #pragma once
 
 #include "engine/graph/graph.h"
@@ -19,24 +19,24 @@ struct Stage {
   OperationCounts live;
 };
 
-// Of a recorded graph, before the passes take it.
+// Operation counts of a recorded graph, before the passes.
 struct RecordedCounts {
-  OperationCounts operations;           // distinct ones, live or not
-  std::vector<std::size_t> by_location; // of the graph
+  OperationCounts operations;           // distinct operations, live or not
+  std::vector<std::size_t> by_location; // by location of the graph
 };
 RecordedCounts counts_of(Graph const &recorded);
 
 struct KernelReport {
   RecordedCounts recorded;
-  Graph const *graph;             // optimised; what it says of its interface and of the run is as recorded
-  std::vector<Stage> stages;      // the operations that are live after each pass
-  std::vector<std::string> files; // that were written
-  std::vector<std::pair<std::string, double>> seconds; // by part of the run
-  program::Exploration const *exploration = nullptr;   // of a kernel that was explored
-  std::optional<OperationCounts> looped = {};          // what compute does in the loops of --reroll and between them
+  Graph const *graph;                                  // optimised; its interface and run data are as recorded
+  std::vector<Stage> stages;                           // live operations after each pass
+  std::vector<std::string> files;                      // files written
+  std::vector<std::pair<std::string, double>> seconds; // times by part of the run
+  program::Exploration const *exploration = nullptr;   // null unless the kernel was explored
+  std::optional<OperationCounts> looped = {};          // operations of compute inside and outside the loops of --reroll
 };
 
-// `details`: also every object and the effect of every pass.
+// Prints the table; with `details`, every object and the effect of every pass.
 void print_table(std::ostream &out, KernelReport const &report, bool details);
 
 nlohmann::ordered_json to_json(KernelReport const &report);

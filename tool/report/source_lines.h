@@ -1,4 +1,4 @@
-// Operations by the source line that they come from: where the work of a kernel stands.
+// Operations by source line: shows where a kernel's work originates.
 #pragma once
 
 #include "tool/report/report.h"
@@ -15,7 +15,7 @@ struct LineCount {
   std::size_t recorded = 0, generated = 0;
 };
 
-// The most generated operations first. Empty where the graph has no places.
+// Counts by line, most generated operations first. Empty if the graph has no places.
 std::vector<LineCount> operations_by_line(RecordedCounts const &recorded, Graph const &optimised);
 
 void print_lines(std::ostream &out, std::vector<LineCount> const &lines);

@@ -1,4 +1,4 @@
-// What a verification says of threads that share an evaluation.
+// Report on the verification of threads that share an evaluation.
 #pragma once
 
 #include "verify/verification.h"
@@ -13,7 +13,7 @@ namespace symreal::tool {
 void print_threads(std::ostream &out, program::ThreadResult const &result);
 nlohmann::ordered_json to_json(program::ThreadResult const &result);
 
-// Where they compute other numbers than one.
+// Diagnostic if they compute other numbers than one thread.
 std::optional<Diagnostic> thread_failure(program::Verification const &verification, std::string const &file);
 
 } // namespace symreal::tool

@@ -1,4 +1,4 @@
-// A record of a verification as JSON, and back. Numbers that JSON has not are text: "nan", "inf", "-inf".
+// Conversion of verification records to JSON and back. Numbers that JSON lacks are strings: "nan", "inf", "-inf".
 #include "engine/graph/extended.h"
 #include "engine/graph/names.h"
 #include "engine/support/files.h"
@@ -76,7 +76,7 @@ std::vector<Object> objects_of(Json const &json) {
   return objects;
 }
 
-// How far apart, relative to the original.
+// Difference relative to the original.
 double relative(double original, double generated) {
   return original == generated ? 0 : std::abs(generated - original) / std::abs(original);
 }
@@ -98,7 +98,7 @@ void read_comparison(Json const &json, OutputComparison &output) {
   output.generated = number_of(json["worst"].at("generated"));
 }
 
-// Those that are not equal, by slot.
+// Comparisons of the outputs that are not equal, by slot.
 Json comparisons_json(std::vector<OutputComparison> const &outputs) {
   Json json = Json::array();
   for (std::size_t slot = 0; slot < outputs.size(); ++slot)
@@ -171,7 +171,7 @@ program::ExactJudgement exact_of(Json const &json, Graph const &graph) {
   return exact;
 }
 
-// Per output, with what else is known of it.
+// Adds the results for each output.
 void add_outputs(Json &json, Graph const &graph, program::Verification const &verification) {
   std::vector<std::string> const names = identifiers(graph.outputs);
   for (std::size_t i = 0; i < graph.outputs.size(); ++i) {
@@ -200,7 +200,7 @@ void add_guards(Json &json, program::Verification const &verification) {
     json["guard_mismatch"] = {{"sample", verification.guard_mismatch->sample},
                               {"expected", verification.guard_mismatch->expected},
                               {"found", verification.guard_mismatch->found}};
-  std::size_t evaluated = verification.inside + verification.refused; // a guard is where those before it hold
+  std::size_t evaluated = verification.inside + verification.refused; // a guard is evaluated if those before it hold
   for (program::GuardCheck const &guard : verification.guards) {
     json["guards"].push_back({{"text", guard.text}, {"evaluated", evaluated}, {"failed", guard.failed}});
     evaluated -= std::min(guard.failed, evaluated);

@@ -19,7 +19,7 @@ static std::size_t derivative_count(program::Verification const &verification) {
   return verification.derivatives ? verification.derivatives->elements.size() : 0;
 }
 
-// Of what must be the same in all shards, the first that is not.
+// The first difference in properties that all shards must share; empty if they agree.
 static std::string difference(VerificationRecord const &one, VerificationRecord const &other) {
   program::Verification const &a = one.verification, &b = other.verification;
   if (one.graph.kernel != other.graph.kernel) return "it is of kernel '" + other.graph.kernel + "'";

@@ -23,7 +23,7 @@ std::string ulp_text(std::uint64_t distance) {
   return distance == std::numeric_limits<std::uint64_t>::max() ? "NaN" : std::to_string(distance);
 }
 
-// The element of an object that is worst: one that differs before one that does not, then by distance.
+// The worst element of an object: one that differs comes first, then the distance decides.
 std::uint32_t worst_element(Object const &object, std::vector<OutputComparison> const &outputs) {
   auto key = [&](std::uint32_t element) {
     OutputComparison const &output = outputs[object.first + element];
@@ -41,14 +41,14 @@ std::size_t different_elements(Object const &object, std::vector<OutputCompariso
       std::count_if(first, first + object.count, [](OutputComparison const &output) { return output.different != 0; }));
 }
 
-// The worst of an object, in a column; nothing where there is none.
+// Column with the largest distance of an object; empty without distances.
 std::string ulp_column(Object const &object, std::vector<std::uint64_t> const &ulp) {
   if (ulp.empty()) return "";
   auto const first = ulp.begin() + object.first;
   return fmt::format("{:>22}", ulp_text(*std::max_element(first, first + object.count)));
 }
 
-// Of the first object that differs, the element that is worst. `what` stands against the original.
+// Describes the worst element of the first object that differs. `what`: the side compared with the original.
 std::string first_difference(Graph const &graph, program::Verification const &verification,
                              std::vector<OutputComparison> const &outputs, std::string_view what) {
   std::vector<std::string> names = identifiers(graph.outputs);
@@ -64,7 +64,7 @@ std::string first_difference(Graph const &graph, program::Verification const &ve
   return {};
 }
 
-// A fault of the rewriter: nothing else can be told apart from it.
+// Diagnostic for a fault of the rewriter, which masks all other differences.
 std::optional<Diagnostic> rewriting_failure(Graph const &graph, program::Verification const &verification) {
   std::size_t const count = program::count_different(verification.rewritten);
   if (count == 0) return {};
@@ -90,7 +90,7 @@ std::optional<Diagnostic> state_failure(Graph const &graph, std::vector<program:
   return diagnostic;
 }
 
-// State that no clause names, and that no comparison of numbers or memory shows.
+// Diagnostic for state that no clause names, which no comparison of numbers or memory reveals.
 std::optional<Diagnostic> unnamed_failure(Graph const &graph, program::Verification const &verification) {
   std::optional<Diagnostic> diagnostic;
   auto const add = [&](DiagnosticId id, std::string const &text) {
@@ -106,7 +106,7 @@ std::optional<Diagnostic> unnamed_failure(Graph const &graph, program::Verificat
   return diagnostic;
 }
 
-// 1, 3-5, 8 of 1, 3, 4, 5, 8.
+// Compresses runs: "1, 3-5, 8" for 1, 3, 4, 5, 8.
 std::string runs_of(std::vector<std::size_t> const &numbers) {
   std::string text;
   for (std::size_t k = 0; k < numbers.size(); ++k) {
@@ -135,7 +135,7 @@ void print_guards(std::ostream &out, program::Verification const &verification) 
     fmt::print(out, "  rounding changes the decisions of {} samples\n", verification.guards_different);
 }
 
-// Which decisions gave one answer only. That of a guard's other side is refused, and stands in the table of guards.
+// Prints the decisions with one outcome only. The other side of a guard is refused, and listed with the guards.
 void print_decisions(std::ostream &out, program::Verification const &verification) {
   std::size_t const both = static_cast<std::size_t>(
       std::ranges::count_if(verification.decisions, [](program::DecisionCoverage const &decision) {
@@ -159,7 +159,7 @@ void print_decisions(std::ostream &out, program::Verification const &verificatio
   if (told > most) fmt::print(out, "    and {} more\n", told - most);
 }
 
-// Of the original's own branches, whatever became of them here, those that went one way only.
+// Prints the branches of the original that went one way only, however the recording treats them.
 void print_branches(std::ostream &out, program::BranchResult const &result) {
   if (!result.obstacle.empty()) {
     fmt::print(out, "  branches of the original: not counted: {}\n", result.obstacle);
@@ -178,7 +178,7 @@ void print_branches(std::ostream &out, program::BranchResult const &result) {
   }
 }
 
-// What single precision cannot tell is left out, and said.
+// Prints the numbers and samples left out because single precision cannot judge them.
 void print_single(std::ostream &out, program::Verification const &verification) {
   fmt::print(out, "  single precision: compared to {} of the larger of the original's magnitude and 1\n",
              shortest(verification.tolerance));
@@ -191,7 +191,7 @@ void print_single(std::ostream &out, program::Verification const &verification) 
                verification.inside * verification.lost.size());
 }
 
-// Where the original itself is off.
+// Prints the outputs that are accepted because the original itself is inaccurate.
 void print_exact(std::ostream &out, Graph const &graph, program::ExactJudgement const &exact) {
   std::size_t numbers = 0;
   for (program::OutputErrors const &output : exact.outputs) numbers += output.calls;
@@ -210,7 +210,7 @@ void print_exact(std::ostream &out, Graph const &graph, program::ExactJudgement 
   }
 }
 
-// What extended precision tells of a difference, or why it does not.
+// Notes the verdict of extended precision on a difference, or why it could not judge.
 void add_exact_notes(Diagnostic &diagnostic, program::ExactJudgement const &exact) {
   auto const add = [&](std::string note) { diagnostic.notes.push_back({{}, std::move(note)}); };
   if (!exact.obstacle.empty())
@@ -235,7 +235,7 @@ std::string guard_difference(program::Verification const &verification) {
                      mismatch.found, number_list(verification.named.at(mismatch.sample).inputs));
 }
 
-// How many must lie inside. What a shard lacks others may have, and who asks for certain samples knows them.
+// Minimum number of samples inside; 0 for a shard, as others may have them, and for samples chosen by the user.
 std::size_t wanted_samples(program::Verification const &verification, program::VerificationOptions const &options) {
   bool const is_whole = options.shard.count == 1 && options.replayed.empty();
   return is_whole ? std::min({options.min_samples, options.samples, verification.tried}) : 0;

@@ -1,4 +1,4 @@
-// The result of a verification, for the user.
+// Report on a verification.
 #pragma once
 
 #include "verify/verification.h"
@@ -8,10 +8,10 @@
 
 namespace symreal::tool {
 
-// The worst distance per output.
+// Prints the worst distance of each output.
 void print_verification(std::ostream &out, Graph const &graph, program::Verification const &verification);
 
-// Why the verification has failed, if it has.
+// Diagnostic for a failed verification; nullopt if it succeeded.
 std::optional<Diagnostic> verification_failure(Graph const &graph, program::Verification const &verification,
                                                program::VerificationOptions const &options, std::string const &file);
 

@@ -12,7 +12,7 @@
 namespace symreal::tool {
 namespace {
 
-// Whether the first line that is no comment begins the text of a graph.
+// Does the first line other than comments begin the text of a graph?
 bool is_graph(std::string_view text) {
   std::size_t at = 0;
   while (at < text.size() && (text[at] == ';' || text[at] == '\n' || text[at] == '\r'))

@@ -1,4 +1,4 @@
-// What `symreal schedule` reads: a task graph as text, or a recorded graph, whose operations are the tasks.
+// Input of `symreal schedule`: a task graph as text, or a recorded graph whose operations are the tasks.
 #pragma once
 
 #include "engine/analysis/tasks/task_graph.h"
@@ -12,14 +12,14 @@ namespace symreal::tool {
 struct TaskInput {
   std::string file;
   TaskGraph tasks;
-  std::vector<std::uint64_t> id; // of a task graph as text: per task
-  std::vector<Op> operation;     // of a recorded graph: per task
+  std::vector<std::uint64_t> id; // of a textual task graph: identifier per task
+  std::vector<Op> operation;     // of a recorded graph: operation per task
   std::vector<std::string> name; // per task: "12" of a task graph, "%12 mul" of a recorded one
 
   bool is_recorded() const { return !operation.empty(); }
 };
 
-// `cost` is unit, table, or empty: then it is unit, and may be of no effect.
+// Reads the input. `cost`: unit, table, or empty: unit, and may have no effect.
 TaskInput read_tasks(std::string const &file, std::string const &cost);
 
 } // namespace symreal::tool

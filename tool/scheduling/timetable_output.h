@@ -1,4 +1,4 @@
-// What `symreal schedule` says and writes.
+// Output of `symreal schedule`.
 #pragma once
 
 #include "engine/analysis/scheduling/scheduler.h"
@@ -16,11 +16,11 @@ struct ScheduleReport {
   Solution const *solution;
 };
 
-// Length, bounds, gap, and how busy each unit is.
+// Prints length, bounds, gap, and the load of each unit.
 void print_summary(std::ostream &out, ScheduleReport const &report);
 nlohmann::ordered_json summary_json(ScheduleReport const &report);
 
-// The tasks in the order in which they begin.
+// Writes the tasks in order of their begin.
 void write_csv(std::ostream &out, ScheduleReport const &report);
 nlohmann::ordered_json timetable_json(ScheduleReport const &report);
 

@@ -22,7 +22,7 @@ unsigned read_count(std::string const &word) {
   return count;
 }
 
-// How operations are grouped, by how they are written.
+// Group of an operation, by its syntactic form.
 std::string_view group_of(Op op) {
   switch (info(op).form) {
   case Form::call:

@@ -30,7 +30,7 @@ std::size_t volume(TaskGraph const &graph, Blocks const &blocks) {
   return result;
 }
 
-// The longest chain of blocks each of which waits for the one before; nothing if there is a cycle.
+// Length of the longest chain of dependent blocks; nullopt if they form a cycle.
 std::optional<std::size_t> depth(std::vector<Crossing> edges, std::uint32_t count) {
   std::ranges::sort(edges);
   edges.erase(std::ranges::unique(edges).begin(), edges.end());

@@ -21,7 +21,7 @@ std::size_t Components::count() const {
 std::size_t Components::largest() const { return tasks.empty() ? 0 : *std::ranges::max_element(tasks); }
 
 Components components(TaskGraph const &graph) {
-  // The root of a set is its oldest task, so it has its number before the others ask for it.
+  // The root of a set is its oldest task, which therefore gets its number first.
   std::vector<TaskId> parent(graph.size());
   std::iota(parent.begin(), parent.end(), TaskId{0});
   for (TaskId task = 0; task < graph.size(); ++task)

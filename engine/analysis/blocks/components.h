@@ -1,5 +1,5 @@
-// Tasks that have nothing to do with each other: the connected components of a graph, whatever way its edges point.
-// Operations that only share inputs or constants are not connected, as these are no tasks. Linear.
+// Connected components of a task graph, regardless of edge direction. Operations that share only inputs or constants,
+// which are not tasks, are not connected. Linear time.
 #pragma once
 
 #include "engine/analysis/tasks/task_graph.h"
@@ -7,11 +7,11 @@
 namespace symreal {
 
 struct Components {
-  std::vector<std::uint32_t> of_task; // numbered by their first tasks
-  std::vector<std::size_t> tasks;     // per component: how many last some time
-  std::vector<Time> work;             // per component: all durations together
+  std::vector<std::uint32_t> of_task; // numbered in order of their first tasks
+  std::vector<std::size_t> tasks;     // per component: tasks of nonzero duration
+  std::vector<Time> work;             // per component: total duration
 
-  // Those in which something lasts some time.
+  // Number of components with a task of nonzero duration.
   std::size_t count() const;
   std::size_t largest() const;
 };

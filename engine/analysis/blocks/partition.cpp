@@ -11,16 +11,16 @@ namespace symreal {
 
 namespace {
 
-constexpr double tolerance = 1.05;          // largest against mean work, at which components are shared out as they are
-constexpr std::uint32_t most_halved = 8;    // up to so many blocks METIS cuts in two again and again
-constexpr Time most_weight = Time{1} << 30; // of all tasks together: METIS counts in 32 bits
+constexpr double tolerance = 1.05;          // ratio of the largest to the mean work up to which components stay uncut
+constexpr std::uint32_t most_halved = 8;    // METIS bisects recursively up to this number of blocks
+constexpr Time most_weight = Time{1} << 30; // of all tasks together: METIS uses 32-bit weights
 
-// Longest first, each to the block with the least work.
+// Distributes components, longest first, each to the block with the least work.
 std::vector<BlockId> share_out(Components const &components, std::uint32_t count) {
   std::vector<std::uint32_t> order(components.work.size());
   std::iota(order.begin(), order.end(), 0U);
   std::ranges::stable_sort(order, [&](auto a, auto b) { return components.work[a] > components.work[b]; });
-  std::vector<std::pair<Time, BlockId>> heap; // the block with the least work on top
+  std::vector<std::pair<Time, BlockId>> heap; // min-heap by work
   for (BlockId block = 0; block < count; ++block) heap.emplace_back(0, block);
   std::vector<BlockId> block_of(components.work.size());
   for (std::uint32_t component : order) {
@@ -69,7 +69,7 @@ std::vector<BlockId> cut_by_metis(TaskGraph const &graph, std::uint32_t count) {
   return {block.begin(), block.end()};
 }
 
-// Small graphs leave METIS no choice but empty blocks: these take a task of the fullest one each.
+// METIS leaves blocks empty in small graphs; each of these takes a task of the fullest block.
 void fill_empty(TaskGraph const &graph, std::vector<BlockId> &block, std::uint32_t count) {
   std::vector<std::vector<TaskId>> tasks(count);
   for (TaskId task = 0; task < graph.size(); ++task)

@@ -14,13 +14,13 @@ struct Times {
   double latency, throughput;
 };
 
-// Of an operation, less what its link takes without it. Below a tenth of a nanosecond nothing can be told.
+// Times of an operation without those of its link, at least a tenth of a nanosecond, the limit of the measurement.
 Times without(Times const &all, Times const &link) {
   auto const less = [](double a, double b) { return std::round(std::max(a - b, 0.1) * 100) / 100; };
   return {less(all.latency, link.latency), less(all.throughput, link.throughput)};
 }
 
-// From integers of 64 bits to one: its link goes there and back.
+// Whether the operation maps 64-bit integers to one, so that its link converts both ways.
 bool is_wide_link(OperationInfo const &row) { return row.has(flag::WIDE) && row.has(flag::TAKES_WIDE); }
 
 Times scaled(Times const &times, int factor) { return {times.latency * factor, times.throughput * factor}; }

@@ -16,9 +16,9 @@ Costs same_for_both(std::string name, std::string unit, OperationCosts const &co
   return result;
 }
 
-// Tenths of a nanosecond.
+// Parts of a nanosecond in Time.
 constexpr Time parts = 10;
-constexpr double longest = 1e9; // nanoseconds: a second, far from what Time holds
+constexpr double longest = 1e9; // nanoseconds: one second, far below the limit of Time
 
 double nanoseconds(nlohmann::json const &entry, char const *which) {
   double const value = entry.at(which).get<double>();

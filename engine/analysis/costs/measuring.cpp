@@ -23,7 +23,7 @@ constexpr std::string_view integer_functions =
 #undef INTEGER_FUNCTION
     ;
 
-// x[0] .. x[chains - 1] are the chains, y and w the other operands.
+// Parallel chains x[0] .. x[chains - 1]; y and w are the other operands.
 constexpr int chains = 8;
 
 constexpr std::string_view tail = R"(
@@ -67,7 +67,7 @@ double sample(Domain domain) {
   return 0.7;
 }
 
-// As C has it on the operands; nothing where it stands for what only a graph has.
+// C expression of the operation; nullopt if it exists only in graphs.
 std::optional<std::string> spelled(OperationInfo const &row, std::array<std::string, 3> const &operand) {
   std::string list = operand[0];
   for (unsigned k = 1; k < row.arity; ++k) list += ", " + operand[k];
@@ -83,13 +83,13 @@ std::optional<std::string> spelled(OperationInfo const &row, std::array<std::str
   return {};
 }
 
-// Goes from x to a number, through integers of 64 bits where the operation takes or gives them.
+// C expression from x to a number, through 64-bit integers if the operation takes or returns them.
 std::optional<std::string> link(OperationInfo const &row, std::string const &x) {
   std::array<std::string, 3> operand = {x, "y", "w"};
   for (std::size_t k = 0; k < row.arity; ++k)
     if (takes_wide(row.op, k)) operand[k] = k == 0 ? "wide_int(" + x + ")" : fmt::format("({}u)", 2 * k + 1);
   if (row.form == Form::select) operand[0] = "(" + x + " != 0.0)";
-  // The arm that waits is the one taken.
+  // The dependent arm is the one taken.
   if (row.form == Form::select) operand[1] = takes_wide(row.op, 1) ? "wide_int(" + x + ")" : x;
   std::optional<std::string> const text = spelled(row, operand);
   if (!text) return {};
@@ -116,7 +116,7 @@ struct Row {
   double sample;
 };
 
-// What is subtracted comes first.
+// Rows of the program; the links that are subtracted come first.
 std::vector<Row> measured() {
   std::vector<Row> rows = {{"-", "$", 0.7}, {"-wide", "(double)(int64_t)wide_int($)", 5}};
   for (OperationInfo const &row : operations())

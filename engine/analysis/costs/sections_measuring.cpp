@@ -11,7 +11,7 @@ static std::string region(std::string_view name, int threads) {
   return text + "  }\n}\n";
 }
 
-// As generated code does it: a region for each call. The first ones start the threads.
+// One region per call, as in generated code. The first calls start the threads.
 std::string sections_measuring_program() {
   return R"(#include <omp.h>
 #include <stdio.h>

@@ -46,13 +46,13 @@ void require_sense(Goal const &goal, Levels const &levels, Costs const &costs) {
                    costs.in_unit(levels.span), costs.time_unit));
 }
 
-// That of list scheduling is never longer.
+// An upper bound on the length of a list schedule.
 Time longest_schedule(Goal const &goal, Levels const &levels) {
   return goal.units != 0 ? levels.span + levels.work / goal.units
                          : std::max(levels.span, std::min(goal.length, levels.work));
 }
 
-// Profiles have a count for each unit of time.
+// A profile has a count per unit of time.
 void require_countable(Time length, Costs const &costs) {
   constexpr Time most = Time{1} << 28;
   if (length > most)

@@ -1,4 +1,4 @@
-// What `symreal analyze` says of a graph, from its operations to all figures.
+// Figures of `symreal analyze` for a graph.
 #pragma once
 
 #include "engine/analysis/costs/costs.h"
@@ -8,7 +8,7 @@
 
 namespace symreal {
 
-// For how many units, or for which length, the levelled schedule is made; by default for the span.
+// Goal of the levelled schedule: a number of units or a length, by default the span.
 struct Goal {
   std::uint32_t units = 0; // 0: for a length
   Time length = 0;         // 0: the span
@@ -19,27 +19,27 @@ struct LengthBound {
   Time simple, by_levels; // level_bounds.h
 };
 
-// An operation of the critical path that costs something.
+// An operation of nonzero cost on the critical path.
 struct PathStep {
   NodeId node;
   Time start, duration;
 };
 
-// Of the operations that cost something.
+// Slack of the operations of nonzero cost.
 struct SlackFigures {
-  std::size_t none = 0; // how many have no slack
+  std::size_t none = 0; // number of operations without slack
   Time median = 0, largest = 0;
 };
 
 struct Figures {
   OperationTasks operations;
-  std::size_t count = 0; // of those that cost something: changes of sign do not, as a rule
+  std::size_t count = 0; // of operations of nonzero cost; changes of sign are usually free
   Levels levels;
-  double throughput_work = 0; // in the costs' time unit: if no operation had to wait
+  double throughput_work = 0; // in the costs' time unit, if operations never had to wait
   SlackFigures slack;
   std::vector<PathStep> critical_path;
-  std::vector<LengthBound> bounds; // for 1, 2, 4, ... units, until the span is reached
-  std::uint32_t least_units = 0;   // below which no schedule has the length of the levelled one
+  std::vector<LengthBound> bounds; // for 1, 2, 4, ... units, up to the span
+  std::uint32_t least_units = 0;   // lower bound for the length of the levelled schedule
   Levelled levelled;
   LevelProfile from_inputs, from_outputs, evened;
 };

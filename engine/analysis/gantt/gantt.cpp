@@ -60,7 +60,7 @@ public:
 private:
   double x(Time at) const { return left_ + width * static_cast<double>(at) / static_cast<double>(length_); }
 
-  // Lines at round times, ten or fewer.
+  // Draws at most ten lines at round times.
   void write_axis(double height) {
     Time step = 1;
     for (int i = 0; length_ > 10 * step; ++i) step = i % 3 == 1 ? step / 2 * 5 : step * 2; // 1, 2, 5, 10, 20, 50
@@ -91,7 +91,7 @@ private:
     }
     return bars;
   }
-  // Bars grow by merging, up to what can be pointed at.
+  // Merging widens a bar up to a size that can be pointed at.
   bool is_narrow(Bar const &bar) const { return x(bar.end) - x(bar.begin) < (bar.tasks == 1 ? narrow : 4 * narrow); }
 
   void write_row(std::size_t unit, std::vector<Bar> const &bars) {

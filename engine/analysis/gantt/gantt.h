@@ -1,4 +1,4 @@
-// A timetable as a picture: a row for each unit, a bar for each task.
+// Gantt chart of a timetable: a row per unit, a bar per task.
 #pragma once
 
 #include "engine/analysis/scheduling/timetable.h"
@@ -14,8 +14,8 @@ struct GanttNames {
   std::vector<std::string> task, unit;
 };
 
-// SVG for light and dark pages; a title at each bar says the task, its begin and its end. Neighbours that are too short
-// to be seen are one bar. Tasks that take no time are left out.
+// Writes SVG for light and dark pages; a title at each bar states the task, its begin and its end. Adjacent bars too
+// narrow to see are merged. Tasks of zero duration are omitted.
 void write_gantt(std::ostream &out, TaskGraph const &graph, Timetable const &timetable, GanttNames const &names);
 
 } // namespace symreal

@@ -11,7 +11,7 @@ namespace {
 constexpr std::size_t highest_exact = 6, highest_fitted = 3;
 constexpr double close = 0.03;
 
-// Gaussian elimination with pivoting on a few equations; the last column is the right side.
+// Solves a small linear system by Gaussian elimination with pivoting; the last column is the right-hand side.
 std::vector<double> solved(std::vector<std::vector<long double>> rows) {
   std::size_t const n = rows.size();
   for (std::size_t k = 0; k < n; ++k) {
@@ -29,7 +29,7 @@ std::vector<double> solved(std::vector<std::vector<long double>> rows) {
   return result;
 }
 
-// By least squares: of a law the large sizes tell most.
+// Coefficients by least squares, which weights large sizes most.
 std::vector<double> coefficients(std::vector<Point> const &points, std::size_t degree) {
   std::vector<std::vector<long double>> rows(degree + 1, std::vector<long double>(degree + 2));
   for (Point const &point : points) {
@@ -43,7 +43,7 @@ std::vector<double> coefficients(std::vector<Point> const &points, std::size_t d
   return solved(std::move(rows));
 }
 
-// Newton's form through the points, as coefficients.
+// Coefficients of the interpolating polynomial, by Newton's form.
 std::vector<double> through(std::vector<Point> const &points) {
   std::vector<long double> difference;
   for (Point const &point : points) difference.push_back(point.figure);
@@ -60,7 +60,7 @@ std::vector<double> through(std::vector<Point> const &points) {
   return {sum.begin(), sum.end()};
 }
 
-// The root of the mean square of the deviation, against that of the figures.
+// Root mean square of the deviation, relative to that of the figures.
 double residual(Polynomial const &polynomial, std::vector<Point> const &points) {
   double off = 0, all = 0;
   for (Point const &point : points) {

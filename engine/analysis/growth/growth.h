@@ -1,4 +1,4 @@
-// How a figure grows with the size of a problem: a power, and a polynomial, fitted to the figures of a family.
+// Growth of a figure with the problem size: a power law and a polynomial, fitted to a family's figures.
 #pragma once
 
 #include <optional>
@@ -11,19 +11,19 @@ struct Point {
   double size, figure;
 };
 
-// figure = factor * size^exponent, by least squares of the logarithms. The residual is the root of the mean square of
-// the relative deviation. Nothing of fewer than two sizes, or where a size or a figure is not positive.
+// figure = factor * size^exponent, by least squares of the logarithms. The residual is the root mean square of the
+// relative deviation. Returns nullopt for fewer than two sizes, or if a size or figure is not positive.
 struct Power {
   double factor, exponent, residual;
 };
 std::optional<Power> fit_power(std::vector<Point> const &points);
 
-// The polynomial of the smallest degree that goes through the points, which ascend in size. Exactly through a figure
-// that is an integer, from size `from` on, where it goes through at least two more points than make it and through more
-// than half of all: the first members of a family often differ. Otherwise by least squares, of the smallest degree up
-// to 3 whose residual is below a hundredth, or of that with the least. The residual is as above.
+// Polynomial of the smallest degree through the points, which ascend in size. Exact for integer figures from size
+// `from` on if it passes through at least two more points than determine it and through more than half of all, since
+// the first members of a family often differ. Otherwise a least-squares fit of the smallest degree up to 3 whose
+// residual is below 0.03, else of the degree with the least residual. The residual is as above.
 struct Polynomial {
-  std::vector<double> coefficient; // of size^0, size^1, ...
+  std::vector<double> coefficient; // coefficients of size^0, size^1, ...
   double residual = 0, from = 0;
   bool is_exact = false;
 

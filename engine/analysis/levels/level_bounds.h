@@ -1,17 +1,17 @@
-// What no schedule can beat: the shortest length on some units, and the fewest units for some length.
+// Bounds on levelled schedules: the shortest length on some units, and the fewest units for some length.
 //
-// Method: the work that as-late-as-possible starts put before a time must be done by then, and the work that
-// as-soon-as-possible starts put after a time cannot be done before it. Each prefix and each suffix of the levels is
+// Method: the work that as-late-as-possible starts place before a time must be done by then, and the work that
+// as-soon-as-possible starts place after a time cannot be done before it. Each prefix and each suffix of the levels is
 // a bound; the whole, which is both, is the well-known max(span, work / units). This is the bound of Fernandez and
-// Bussell over these intervals alone: over all of them it is quadratic. For a length there is one more: what has so
-// little slack that it must be under way at a time needs a unit each.
+// Bussell restricted to these intervals: over all of them it is quadratic. A length gives one more bound: tasks whose
+// slack is so small that they must run at some time need a unit each.
 #pragma once
 
 #include "engine/analysis/levels/levels.h"
 
 namespace symreal {
 
-// Refers to what it is made of, and not to the profiles.
+// Keeps references to the graph and levels, but not to the profiles.
 class LevelBounds {
 public:
   LevelBounds(TaskGraph const &graph, Levels const &levels, LevelProfile const &from_inputs,
@@ -19,9 +19,9 @@ public:
 
   // max(span, work / units), rounded up.
   Time simple_length(std::uint32_t units) const;
-  // At least that.
+  // A tighter bound, at least simple_length.
   Time length(std::uint32_t units) const;
-  // For a length of at least the span.
+  // Fewest units for `length`, which is at least the span.
   std::uint32_t units(Time length) const;
 
 private:
@@ -30,8 +30,8 @@ private:
   TaskGraph const &graph_;
   Levels const &levels_;
   Time span_, work_;
-  std::vector<Time> due_;  // by time t: what must be done before t
-  std::vector<Time> open_; // by time t before the end: what cannot begin earlier
+  std::vector<Time> due_;  // by time t: work that must be done before t
+  std::vector<Time> open_; // by time t before the end: work that cannot begin earlier
 };
 
 } // namespace symreal

@@ -21,7 +21,7 @@ public:
         levels_(levels),
         successors_(successors(graph)) {}
 
-  // Nothing if a task would begin so late that the end is beyond `length`.
+  // Start times; nullopt if a task would begin too late for the end to be within `length`.
   std::optional<std::vector<Time>> run(std::uint32_t units, Time length) {
     start_.assign(graph_.size(), 0);
     missing_.resize(graph_.size());
@@ -55,7 +55,7 @@ private:
       if (--missing_[next] == 0) fresh_.push_back(next);
   }
 
-  // What needs nothing more is ready; or done, if it lasts no time.
+  // Makes tasks without missing predecessors ready, or finishes them if their duration is 0.
   void admit(Time now, ReadyTasks &ready) {
     while (!fresh_.empty()) {
       TaskId const task = fresh_.back();
@@ -73,7 +73,7 @@ private:
   Levels const &levels_;
   Successors successors_;
   std::vector<Time> start_;
-  std::vector<std::uint32_t> missing_; // per task: those before it that have not ended
+  std::vector<std::uint32_t> missing_; // per task: predecessors that have not ended
   std::vector<TaskId> fresh_;
   std::priority_queue<Ending, std::vector<Ending>, std::greater<>> running_;
 };
@@ -89,7 +89,7 @@ Levelled finished(TaskGraph const &graph, std::vector<Time> start) {
 } // namespace
 
 Levelled level_for_units(TaskGraph const &graph, Levels const &levels, std::uint32_t units) {
-  // No task waits longer than for all the others.
+  // A task waits at most for all other tasks.
   auto start = Machine(graph, levels).run(units, levels.span + levels.work);
   if (!start) internal_failure("a list is never longer than all its tasks", __FILE__, __LINE__);
   return finished(graph, std::move(*start));
@@ -98,7 +98,7 @@ Levelled level_for_units(TaskGraph const &graph, Levels const &levels, std::uint
 Levelled level_for_length(TaskGraph const &graph, Levels const &levels, LevelBounds const &bounds, Time length) {
   Levelled best = finished(graph, levels.earliest);
   if (Levelled late = finished(graph, levels.latest); late.peak < best.peak) best = std::move(late);
-  // Where a try is long, one in a hundred units is not sought further.
+  // Stops within one percent of the optimal units if each run is long.
   constexpr std::size_t large = 1'000'000;
   std::uint32_t too_few = std::max(bounds.units(length), 1U) - 1, step = 1;
   std::uint32_t const close = graph.size() < large ? 1 : std::max(too_few / 100, 1U);

@@ -14,7 +14,7 @@ Levels levels(TaskGraph const &graph) {
     result.span = std::max(result.span, start + graph.duration[task]);
     result.work += graph.duration[task];
   }
-  // First the ends: a task must end before any that needs it begins. Each is final when its turn comes.
+  // Holds latest ends first: a task must end before its users begin. Each is final when visited.
   result.latest.assign(graph.size(), result.span);
   for (TaskId task = static_cast<TaskId>(graph.size()); task-- > 0;) {
     Time &start = result.latest[task];
@@ -41,7 +41,7 @@ std::vector<TaskId> critical_path(TaskGraph const &graph, Levels const &levels) 
 }
 
 LevelProfile profile(TaskGraph const &graph, std::vector<Time> const &start, Time length) {
-  // Modulo 2^32 a difference may be negative for a while.
+  // Differences may be negative in between, modulo 2^32.
   LevelProfile result(static_cast<std::size_t>(length) + 1);
   for (TaskId task = 0; task < graph.size(); ++task) {
     ++result[static_cast<std::size_t>(start[task])];

@@ -1,8 +1,8 @@
-// Tasks by the time at which they must begin, the most urgent first.
+// Priority queue of ready tasks by latest start.
 //
-// Method: a list for each time, and above them a pyramid of bits: a bit says whether there is anything below it, 64 of
-// them are a word. The first list is found in as many steps as the pyramid has levels, wherever it lies; a heap of
-// millions of tasks takes several times as long.
+// Method: a list per time, and above the lists a pyramid of bits: a bit tells whether anything is below it, and 64 bits
+// form a word. Finding the first list takes one step per level of the pyramid; a heap of millions of tasks is several
+// times slower.
 #pragma once
 
 #include "engine/analysis/tasks/task_graph.h"
@@ -13,7 +13,7 @@ namespace symreal {
 
 class ReadyTasks {
 public:
-  // `tasks` many, that must begin at times up to `last`.
+  // `tasks` is the number of tasks, `last` the greatest latest start.
   ReadyTasks(std::size_t tasks, Time last) : first_(static_cast<std::size_t>(last) + 1, none), next_(tasks) {
     for (std::size_t size = first_.size(); pyramid_.empty() || size > 1;) {
       size = (size + 63) / 64;
@@ -33,7 +33,7 @@ public:
     }
   }
 
-  // Of the tasks of one time that which came last.
+  // Removes the most urgent task; the latest pushed on ties.
   TaskId pop() {
     std::size_t at = 0;
     for (std::size_t k = pyramid_.size(); k-- > 0;)

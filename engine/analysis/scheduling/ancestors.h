@@ -1,4 +1,4 @@
-// The ancestors of each task as a row of bits: quadratic in the number of tasks, so there must not be too many.
+// Ancestor sets of tasks as bit rows. Quadratic in the number of tasks, hence the limit.
 #pragma once
 
 #include "engine/analysis/scheduling/network.h"

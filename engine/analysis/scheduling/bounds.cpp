@@ -5,9 +5,9 @@
 namespace symreal {
 namespace {
 
-// Intervals that begin at a time a and end c before the end, for one kind of unit. Of a task with head h, duration d
-// and tail t at least min(d, h + d - a, t + d - c, L - a - c) lies within, where L is the length. As c falls from min(t
-// + d, L - a), this grows evenly until it has reached min(d, h + d - a).
+// Interval bound for one kind of unit, over intervals from time a to c before the end. In them a task with head h,
+// duration d and tail t spends at least min(d, h + d - a, t + d - c, L - a - c), where L is the length. As c falls from
+// min(t + d, L - a), this grows linearly until it reaches min(d, h + d - a).
 class IntervalWork {
 public:
   IntervalWork(Network const &network, Windows const &windows, std::size_t kind, unsigned units)
@@ -18,7 +18,7 @@ public:
       if (network.kind[task] == kind && network.duration[task] != 0) tasks_.push_back(task);
   }
 
-  // The begins that matter: where the work in an interval changes its growth.
+  // Relevant interval begins, at which the growth of the work changes; at most `most` of them.
   std::vector<Time> begins(std::size_t most) const {
     std::vector<Time> all = {0};
     for (TaskId task : tasks_) {
@@ -33,7 +33,7 @@ public:
     return some;
   }
 
-  // The least length, at least `length`, that no interval which begins at `begin` rules out.
+  // Least length, at least `length`, that intervals beginning at `begin` do not rule out.
   Time bound(Time begin, Time length) {
     changes_.clear();
     for (TaskId task : tasks_) {

@@ -10,7 +10,7 @@
 namespace symreal {
 namespace {
 
-constexpr Time scale = 16; // of priorities, so that noise can be less than the unit of time
+constexpr Time scale = 16; // of priorities, so that noise can be below the unit of time
 
 class Search {
 public:
@@ -59,7 +59,7 @@ public:
   Timetable const &best() const { return best_; }
 
 private:
-  // The longest path from the beginning of each task on, or up to its end, communication included.
+  // Longest path from each task's begin, or to its end, with communication.
   std::vector<Time> paths(bool from_end) const {
     Network const &net = from_end ? network_ : reversed_;
     std::vector<Time> result(net.size());
@@ -72,7 +72,7 @@ private:
     return result;
   }
 
-  // Priorities that repeat the order of a timetable, from its beginning or from its end.
+  // Priorities that reproduce the order of a timetable, from its begin or its end.
   std::vector<Time> distances_from(bool end, Timetable const &table, Time length) const {
     std::vector<Time> result(table.start.size());
     for (TaskId task = 0; task < result.size(); ++task)
@@ -89,7 +89,7 @@ private:
     return found;
   }
 
-  // Shifts all tasks to the latest time and then to the earliest, each on its unit, until this shortens nothing.
+  // Shifts all tasks to the latest and then to the earliest time, on fixed units, until the length stops falling.
   Time justify(Timetable &table, Time length) {
     for (Time before = length + 1; length < before && length > enough_;) {
       before = length;

@@ -34,7 +34,7 @@ public:
 private:
   bool is_over() const { return is_over_limit_ || best_ <= enough_; }
 
-  // At a time when something has ended. `held_back` could have begun before and may not begin now.
+  // Visits a time at which a task has ended. Tasks in `held_back` could have begun before and may not begin now.
   void enter(Time now, TaskSet ended, TaskSet held_back) {
     for (TaskSet instant = 1; instant != 0;) {
       instant = ready(ended) & sets_.instants;
@@ -73,7 +73,7 @@ private:
     return result;
   }
 
-  // Decides on the ready tasks from place `from` of the order of urgency on, then lets time go on.
+  // Branches over the ready tasks from position `from` of the urgency order on, then advances time.
   void begin_some(Time now, TaskSet ended, TaskSet held_back, std::size_t from) {
     if (is_over()) return;
     TaskSet const can_begin = ready(ended) & ~started_;
@@ -113,13 +113,13 @@ private:
     for_each(ending, [&](TaskId task) { --free_[network_.kind[task]]; });
   }
 
-  // Whether some interval has too much work for a timetable that is shorter than the best.
+  // Whether an interval's work exceeds its capacity in any timetable shorter than the best.
   bool is_hopeless(Time now, TaskSet ended) {
     std::array<Time, most_exact_tasks> begins;
     std::size_t count = 0;
     for (TaskId task = 0; task < network_.size(); ++task) {
       if (ended & set_of(task)) continue;
-      head_[task] = now; // of a running task: with what is left of it
+      head_[task] = now; // of a running task: includes its remainder
       if (!(started_ & set_of(task))) {
         for_each(sets_.before[task] & ~ended,
                  [&](TaskId other) { head_[task] = std::max(head_[task], head_end(other)); });
@@ -160,10 +160,10 @@ private:
   bool is_over_limit_ = false;
   TaskSets const sets_;
   TaskSet started_ = 0;
-  std::vector<unsigned> free_; // units, per kind
+  std::vector<unsigned> free_; // free units per kind
   SeenStates seen_;
   std::vector<Time> start_, head_, best_start_, work_;
-  std::vector<TaskSet> could_change_; // per running task: those longer ones that were ready when it began
+  std::vector<TaskSet> could_change_; // per running task: longer tasks that were ready when it began
 };
 
 } // namespace

@@ -1,16 +1,16 @@
-// The shortest timetable without communication, by branch and bound.
+// Exact scheduling without communication by branch and bound.
 //
-// A branch decides, at a time when something has ended, which ready tasks begin. Branches are left out where
-// - no end of it can be shorter than the best timetable: intervals from each time on are looked at, as for the bounds;
-// - a task that was ready and had a unit would begin later with that unit idle until then: it could begin earlier;
-// - a longer task would follow a shorter one on its unit, was ready when that began, and all that waits for the shorter
-//   one waits for it as well: they could change places;
+// A branch decides, at a time when a task has ended, which ready tasks begin. A branch is pruned if
+// - the interval bound from each time on shows that it cannot beat the best timetable;
+// - a task that was ready and had a unit would begin later although that unit is idle until then: it could begin
+// earlier;
+// - a longer task would follow a shorter one on its unit, was ready when that began, and all successors of the shorter
+//   one are its successors too: they could change places;
 // - a task would begin before another of the same duration and kind that all its successors wait for as well;
-// - the same tasks were running, done and held back at an earlier or the same time, counted from which the rest is
-// equal.
+// - the same tasks were running, done and held back at an earlier or the same time, with equal remaining times.
 //
-// Of the shortest timetables the one is never left out whose sum of start * duration^2 is least, and among these that
-// where tasks with more successors, then those of smaller id, begin earlier: each rule leads to one where this is less.
+// Pruning preserves one shortest timetable: the one with the least sum of start * duration^2, and among these the one
+// in which tasks with more successors, then those of smaller id, begin earlier. Each rule leads to a smaller one.
 #pragma once
 
 #include "engine/analysis/scheduling/windows.h"
@@ -20,13 +20,13 @@ namespace symreal {
 constexpr std::size_t most_exact_tasks = 64;
 
 struct ExactResult {
-  std::vector<Time> start; // empty if there is none below `below`
-  bool is_complete;        // nothing was left out for want of nodes
+  std::vector<Time> start; // empty if no timetable is shorter than `below`
+  bool is_complete;        // the search ended within its node limit
   std::uint64_t nodes;
 };
 
-// A timetable that is shorter than `below`, as short as possible, or of length `enough`; after `most_nodes` the
-// shortest so far. The network has at most 64 tasks and is not reversed.
+// The shortest timetable below `below`, or one of length `enough`; after `most_nodes` nodes the shortest found. The
+// network has at most 64 tasks and is not reversed.
 ExactResult search_exactly(Network const &network, Units const &units, Windows const &windows, Time below, Time enough,
                            std::uint64_t most_nodes);
 

@@ -50,7 +50,7 @@ private:
   bool is_ready(TaskId task) const { return !is_placed(task) && (before_[task] & ~placed_) == 0; }
   Time end_of(TaskId task) const { return now_.start[task] + network_.duration[task]; }
 
-  // When a task whose predecessors are placed can begin on a unit.
+  // Earliest start on a unit of a task whose predecessors are placed.
   Time earliest(TaskId task, std::uint32_t unit) const {
     Time at = network_.duration[task] == 0 ? 0 : free_[unit];
     for (TaskId other : network_.before.of(task)) {
@@ -60,7 +60,7 @@ private:
     return at;
   }
 
-  // All that follows begins at `last` or later.
+  // Visits a node of the search; later tasks begin at `last` or later.
   void enter(Time last, Time length) {
     if (++nodes_ > most_nodes_) is_over_limit_ = true;
     if (is_over_limit_ || best_length_ <= enough_ || is_hopeless(last)) return;
@@ -90,7 +90,7 @@ private:
     });
     for (Branch const &branch : branches) {
       follow(branch.task, branch.unit, branch.start, last, length);
-      if (is_dummy_[branch.task]) return; // nothing waits for its unit, so it need not wait
+      if (is_dummy_[branch.task]) return; // its unit is irrelevant, so placing it now is optimal
     }
   }
 
@@ -109,7 +109,7 @@ private:
     has_work_[unit] = had_work;
   }
 
-  // Of each unit what matters from now on; the sum does not depend on the order of the units of a kind.
+  // State of each unit relevant to the rest; the sum makes it independent of the order of a kind's units.
   StateKey key(Time last) const {
     StateKey result;
     result.add(placed_);
@@ -158,7 +158,7 @@ private:
     return best;
   }
 
-  // Whether what is left does not fit between now and the tails.
+  // Whether the remaining work exceeds the capacity between now and the tails.
   bool is_too_much(std::size_t kind, Time last) const {
     Time work = 0;
     for (std::uint32_t unit = units_.first_of(kind); unit < units_.first_of(kind) + units_.count[kind]; ++unit)

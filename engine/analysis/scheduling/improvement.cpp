@@ -5,7 +5,7 @@
 namespace symreal {
 namespace {
 
-// Of tasks by when they end in a timetable: in the mirror image the last to end is the first to begin.
+// Priorities by the tasks' ends: in the mirror image the last to end is the first to begin.
 void set_ends(std::vector<Time> &priority, Network const &network, std::vector<Time> const &start) {
   priority.resize(network.size());
   for (TaskId task = 0; task < network.size(); ++task) priority[task] = start[task] + network.duration[task];
@@ -71,12 +71,12 @@ void Improvement::try_lists(Windows const &windows) {
     }
 }
 
-// A timetable of disturbed priorities; `base` has them as a timetable of the reversed network ends its tasks.
+// Timetable of disturbed priorities; `base` has priorities as ends in a timetable of the reversed network.
 Time Improvement::disturbed(std::vector<Time> const &base, bool forward, Random &random, std::vector<Time> &start) {
   constexpr Time scale = 16;
   Time const longest = *std::ranges::max_element(network_.duration);
   auto const noise = static_cast<std::uint64_t>(std::max(Time{1}, (scale * longest << random.below(5)) / 4));
-  // All tasks, or those of a stretch of time.
+  // Disturbs all tasks, or those in an interval.
   Time const stretch = std::max(length_ >> random.below(5), Time{1});
   auto const first = static_cast<Time>(random.below(static_cast<std::uint64_t>(length_ - stretch + 1)));
   priority_.resize(base.size());

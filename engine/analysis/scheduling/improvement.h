@@ -1,4 +1,4 @@
-// Timetables without communication, made shorter step by step.
+// Iterative improvement of timetables without communication.
 #pragma once
 
 #include "engine/analysis/scheduling/insertion_scheduler.h"
@@ -8,17 +8,17 @@
 
 namespace symreal {
 
-// A search for short timetables that keeps the best one. Every method stops once the length is `enough`.
+// Search for short timetables that keeps the best one. Each method stops when the length is `enough`.
 class Improvement {
 public:
   Improvement(Network const &network, Units const &units, Time enough);
 
-  // List scheduling from both ends, with the longest tail first, and insertion; each result is justified.
+  // List scheduling and insertion from both ends, longest tail first; each result is justified.
   void try_lists(Windows const &windows);
-  // List scheduling with the longest path first, and nothing else: for very many tasks.
+  // Plain list scheduling, longest path first, for very many tasks.
   void try_one_list();
-  // Local search: the order of the best timetable, disturbed a little or much, is scheduled again and justified
-  // (K. Li and R. Willis, 1992; V. Valls, F. Ballestin, S. Quintanilla, 2005). `steps`: of how many timetables.
+  // Local search: disturbs the order of the best timetable, schedules it again and justifies the result (K. Li and R.
+  // Willis, 1992; V. Valls, F. Ballestin, S. Quintanilla, 2005). `steps` is the number of timetables.
   void search(Windows const &windows, std::size_t steps, std::uint64_t seed);
 
   Time length() const { return length_; }
@@ -26,8 +26,8 @@ public:
   bool is_enough() const { return length_ <= enough_; }
 
 private:
-  // Shifts all tasks to the latest time, the last first, and then to the earliest, the first first, until this shortens
-  // nothing. Leaves the result in `start`.
+  // Justification: shifts all tasks to the latest time, last first, then to the earliest, first first, until the length
+  // stops falling. The result replaces `start`.
   Time justify(std::vector<Time> &start, Time length);
   void keep(std::vector<Time> const &start, Time length);
   Time disturbed(std::vector<Time> const &base, bool forward, Random &random, std::vector<Time> &start);

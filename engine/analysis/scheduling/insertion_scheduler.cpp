@@ -15,7 +15,7 @@ Time Profile::place(Time earliest, Time duration, unsigned units) {
   auto i = static_cast<std::size_t>(std::ranges::upper_bound(steps_, earliest, {}, &Step::at) - steps_.begin()) - 1;
   Time begin = earliest;
   for (; i < steps_.size() && steps_[i].at < begin + duration; ++i)
-    if (steps_[i].busy >= units) begin = steps_[i + 1].at; // the last step is never full
+    if (steps_[i].busy >= units) begin = steps_[i + 1].at; // the last step is always free
   std::size_t const first = step_at(begin), end = step_at(begin + duration);
   for (std::size_t step = first; step < end; ++step) ++steps_[step].busy;
   return begin;

@@ -1,6 +1,6 @@
-// Insertion: the tasks are taken one by one, the most urgent among those whose predecessors are placed, and each goes
-// to the earliest gap that takes it, between tasks that are placed already. Every timetable that no task could leave
-// for an earlier time comes from some order; among them is a shortest one (J. E. Kelley, 1963).
+// Insertion scheduling: takes the most urgent task among those whose predecessors are placed, and places it in the
+// earliest gap that fits, between placed tasks. Every timetable in which no task can move to an earlier time results
+// from some order; a shortest one is among them (J. E. Kelley, 1963).
 #pragma once
 
 #include "engine/analysis/scheduling/priority_order.h"
@@ -8,11 +8,11 @@
 
 namespace symreal {
 
-// How many units of one kind are busy when.
+// Number of busy units of one kind over time.
 class Profile {
 public:
   void clear() { steps_.assign(1, {0, 0}); }
-  // The earliest beginning, not before `earliest`, of a time in which one of the units is free; it is busy then.
+  // Reserves a unit for `duration` at the earliest begin from `earliest` on; returns the begin.
   Time place(Time earliest, Time duration, unsigned units);
 
 private:
@@ -20,7 +20,7 @@ private:
     Time at; // until the next step
     unsigned busy;
   };
-  std::size_t step_at(Time at); // a step that begins there, which is made if there is none
+  std::size_t step_at(Time at); // the step that begins at `at`; made if absent
   std::vector<Step> steps_;
 };
 
@@ -31,7 +31,7 @@ public:
         units_(units),
         busy_(units.count.size()) {}
 
-  // The tasks of greater priority are more urgent, then those of smaller id. Returns the length.
+  // Tasks of greater priority, then of smaller id, are more urgent. Returns the length.
   Time run(std::span<Time const> priority, std::vector<Time> &start);
 
 private:

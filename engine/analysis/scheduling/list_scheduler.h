@@ -1,5 +1,5 @@
-// List scheduling: time goes forward; whenever a unit is free and a task of its kind is ready, the most urgent such
-// task begins. No unit ever idles while it could work (R. L. Graham, 1966).
+// List scheduling: time advances; whenever a unit is free and a task of its kind is ready, the most urgent such task
+// begins. A unit idles only if it has no ready task (R. L. Graham, 1966).
 #pragma once
 
 #include "engine/analysis/scheduling/network.h"
@@ -13,7 +13,7 @@ class ListScheduler {
 public:
   ListScheduler(Network const &network, Units const &units) : network_(network), units_(units) {}
 
-  // The tasks of greater priority are more urgent, then those of smaller id. Returns the length.
+  // Tasks of greater priority, then of smaller id, are more urgent. Returns the length.
   Time run(std::span<Time const> priority, std::vector<Time> &start);
 
 private:
@@ -39,7 +39,7 @@ private:
   std::vector<Time> *start_ = nullptr;
   std::vector<std::uint32_t> waits_for_;           // per task: predecessors that have not ended
   std::vector<std::priority_queue<Urgent>> ready_; // per kind
-  std::vector<TaskId> instant_;                    // ready, and take no time
+  std::vector<TaskId> instant_;                    // ready tasks of zero duration
   std::priority_queue<End, std::vector<End>, std::greater<>> running_;
 };
 

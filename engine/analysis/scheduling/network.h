@@ -1,5 +1,5 @@
-// A task graph as the scheduler walks it: in both directions, and with time reversed. What is found for the reversed
-// network holds for the network, read from its end: so each method has its mirror image for nothing.
+// Scheduling network: a task graph with edges in both directions, reversible in time. A timetable of the reversed
+// network is one of the network read from its end, so each method serves in both directions.
 #pragma once
 
 #include "engine/analysis/tasks/task_graph.h"
@@ -18,13 +18,13 @@ struct Network {
 Network make_network(TaskGraph const &graph);
 Network reversed(Network const &network);
 
-// The task ids from predecessors to successors.
+// Visits the tasks in topological order.
 template <class Visit> void for_each_in_order(Network const &network, Visit visit) {
   auto const count = static_cast<TaskId>(network.size());
   for (TaskId i = 0; i < count; ++i) visit(network.is_reversed ? count - 1 - i : i);
 }
 
-// Per task the longest path up to its beginning: when it begins if there are units for all.
+// Per task, the longest path to its begin: its start with unlimited units.
 std::vector<Time> longest_paths(Network const &network);
 
 } // namespace symreal

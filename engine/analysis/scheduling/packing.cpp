@@ -39,7 +39,7 @@ public:
 private:
   static std::size_t first(Set set) { return static_cast<std::size_t>(std::countr_zero(set)); }
 
-  // `spare`: how much time may stay unused.
+  // Packs `left` on `units` units; `spare` is the time that may stay unused.
   bool begin_unit(unsigned units, Set left, Time spare) {
     if (left == 0) return true;
     if (units == 0 || spare < 0 || failed_[units].contains(left)) return false;
@@ -50,10 +50,10 @@ private:
     return false;
   }
 
-  // `choice`: those of `left` that may still join this unit, which has the time `room`.
+  // Fills the current unit, which has the time `room` left; `choice` are the candidates among `left`.
   bool fill(unsigned units, Set left, Set choice, Time room, Time spare) {
     if (nodes_left_ == 0 || --nodes_left_ == 0) return false;
-    Time refused = -1; // one that is as long as a refused one changes nothing
+    Time refused = -1; // duration of the last refused task; equal ones would fail too
     for (; choice != 0; choice &= choice - 1) {
       std::size_t const task = first(choice);
       if (duration_[task] > room || duration_[task] == refused) continue;
@@ -70,10 +70,10 @@ private:
   Time capacity_;
   unsigned units_;
   std::uint64_t nodes_left_;
-  std::vector<Time> duration_; // the longest first
+  std::vector<Time> duration_; // descending
   std::vector<std::size_t> order_;
   std::vector<unsigned> unit_;
-  std::vector<std::unordered_set<Set>> failed_; // what did not fit on so many units
+  std::vector<std::unordered_set<Set>> failed_; // by unit count: sets that did not fit
 };
 
 std::vector<Time> distinct(std::vector<Time> times) {

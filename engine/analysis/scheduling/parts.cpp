@@ -7,9 +7,9 @@
 
 namespace symreal {
 
-// Sorted by the number of their ancestors, the tasks from place k on come after all before it if each has k ancestors
-// or more: the ancestors of the first of them have fewer, so they are the k tasks before it; and an ancestor of another
-// is one of the k, or comes after all k.
+// With tasks sorted by ancestor count, those from position k on form a new part if each has at least k ancestors: the
+// ancestors of the first of them have fewer, so they are the k tasks before it; and any ancestor of another is one of
+// the k or comes after all k.
 std::vector<std::vector<TaskId>> chain_of_parts(Network const &network) {
   std::vector<TaskId> order(network.size());
   std::iota(order.begin(), order.end(), TaskId{0});

@@ -1,5 +1,5 @@
-// The tasks of a network one by one: of those whose predecessors have been visited the one of greatest priority, and of
-// equal ones that of the smallest id. Keeps its memory from run to run.
+// Topological order by priority: of the tasks whose predecessors have been visited, the one of greatest priority, then
+// of smallest id, comes next. Reuses its memory among runs.
 #pragma once
 
 #include "engine/analysis/scheduling/network.h"
@@ -33,7 +33,7 @@ public:
 
 private:
   std::vector<std::uint32_t> waits_for_;
-  std::vector<std::pair<Time, TaskId>> ready_; // a heap of priorities and complements of ids
+  std::vector<std::pair<Time, TaskId>> ready_; // max-heap of priority and complement of id
 };
 
 } // namespace symreal

@@ -1,4 +1,4 @@
-// Numbers that look random and are the same on every machine.
+// Pseudorandom numbers, the same on every machine.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@ public:
     z = (z ^ z >> 27) * 0x94d049bb133111eb;
     return z ^ z >> 31;
   }
-  // Below `end`, which is not 0.
+  // A number below `end`, which is not 0.
   std::uint64_t below(std::uint64_t end) { return next() % end; }
 
 private:

@@ -11,11 +11,11 @@
 namespace symreal {
 namespace {
 
-// Of a part; its units are not assigned yet.
+// Solution of a part, without units.
 struct PartSolution {
   std::vector<Time> start;
   Time length, interval_bound, at_least;
-  std::uint64_t nodes = 0; // of its exact search
+  std::uint64_t nodes = 0; // nodes of its exact search
 };
 
 void take(PartSolution &result, TaskGraph const &graph, std::vector<Time> const &start) {
@@ -24,7 +24,7 @@ void take(PartSolution &result, TaskGraph const &graph, std::vector<Time> const 
   result.length = length(graph, start);
 }
 
-// Of small parts the bound is raised and the timetable shortened until they meet, or the nodes are used up.
+// Raises the bound and shortens the timetable of a small part until they meet or the nodes are used up.
 void finish_exactly(PartSolution &result, TaskGraph const &graph, Network const &network, Units const &units,
                     Windows const &window, std::uint64_t nodes) {
   if (nodes == 0) return;
@@ -67,7 +67,7 @@ Solution schedule_chain(TaskGraph const &graph, Units const &units, Effort const
   std::vector<Time> start(graph.size());
   result.bounds.critical_path = critical_path(network);
   result.bounds.work = work_bound(network, units);
-  std::uint64_t nodes_left = effort.exact_nodes(1); // for all parts together
+  std::uint64_t nodes_left = effort.exact_nodes(1); // shared by all parts
   for (std::vector<TaskId> const &part : chain_of_parts(network)) {
     PartSolution const solved = schedule_part(part_graph(graph, part), units, effort, nodes_left);
     for (std::size_t i = 0; i < part.size(); ++i) start[part[i]] = result.length + solved.start[i];

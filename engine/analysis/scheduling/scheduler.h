@@ -1,8 +1,8 @@
-// From a task graph to a short timetable, and how short one can be at best.
+// Scheduler: a short timetable of a task graph, and a lower bound on its length.
 //
 //   tasks ──parts──▶ a chain of graphs ──windows, bounds──▶ lists ──justified──▶ local search ──▶ exact search
 //
-// Each step ends the work on a part whose timetable is as short as a bound. With communication there are no parts
+// A part is finished as soon as its timetable is as short as a bound. Graphs with communication stay whole
 // (communicating.h).
 #pragma once
 
@@ -15,12 +15,12 @@ namespace symreal {
 struct Solution {
   Timetable timetable;
   Time length = 0;
-  Bounds bounds;     // what is cheap to know
-  Time at_least = 0; // the best bound, that of an exact search included: no timetable is shorter
+  Bounds bounds;     // bounds before the exact search
+  Time at_least = 0; // best lower bound, including that of the exact search
   bool is_optimal() const { return length == at_least; }
 };
 
-// There is a unit of each kind that a task has.
+// `units` has a unit of each kind that a task needs.
 Solution schedule_tasks(TaskGraph const &graph, Units const &units, Effort const &effort);
 
 } // namespace symreal

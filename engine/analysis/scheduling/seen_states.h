@@ -1,4 +1,4 @@
-// The states that a search has been through, and how early. A table of fixed size: newer states replace older ones.
+// Transposition table of search states with their earliest times. Fixed size: newer states replace older ones.
 #pragma once
 
 #include "engine/analysis/tasks/task_graph.h"
@@ -7,7 +7,7 @@
 
 namespace symreal {
 
-// 128 bits of the words that were added: two states with the same bits do not happen.
+// 128-bit hash of the added words; collisions are negligible.
 class StateKey {
 public:
   void add(std::uint64_t word) {
@@ -31,7 +31,7 @@ class SeenStates {
 public:
   explicit SeenStates(std::size_t size_as_power_of_two) : entries_(std::size_t{1} << size_as_power_of_two) {}
 
-  // Whether the state was there at this time or earlier; it is from now on.
+  // Whether the state was visited at this time or earlier; records it otherwise.
   bool was_seen(StateKey const &key, Time at) {
     Entry &entry = entries_[key.low() & (entries_.size() - 1)];
     if (entry.is_used && entry.key == key && entry.at <= at) return true;

@@ -7,7 +7,7 @@
 namespace symreal {
 namespace {
 
-// Of two tasks of one kind, one of which all that waits for the other waits for as well.
+// Records dominance between two tasks of one kind if all successors of b are successors of a.
 void compare(TaskSets &sets, Network const &network, std::vector<TaskSet> const &after, TaskId a, TaskId b) {
   if (a == b || network.kind[a] != network.kind[b]) return;
   bool const covers = (after[a] & after[b]) == after[b];

@@ -1,4 +1,4 @@
-// Up to 64 tasks as the bits of a word, and what an exact search knows of them from the beginning.
+// Sets of up to 64 tasks as bits of a word, and the static data of an exact search.
 #pragma once
 
 #include "engine/analysis/scheduling/network.h"
@@ -15,12 +15,12 @@ template <class Visit> void for_each(TaskSet set, Visit visit) {
 }
 
 struct TaskSets {
-  TaskSet all, instants;          // instants take no time
+  TaskSet all, instants;          // instants have zero duration
   std::vector<TaskSet> before;    // per task: its predecessors
-  std::vector<TaskSet> first;     // those that must not be ready and unstarted when it begins
-  std::vector<TaskSet> longer;    // those that could change places with it, if ready when it begins
-  std::vector<TaskId> by_tail;    // the longest first
-  std::vector<TaskId> by_urgency; // the order in which the search decides; those in `first` come before
+  std::vector<TaskSet> first;     // tasks that must not be ready and unstarted when it begins
+  std::vector<TaskSet> longer;    // tasks that could change places with it if ready when it begins
+  std::vector<TaskId> by_tail;    // descending by tail
+  std::vector<TaskId> by_urgency; // branching order; tasks in `first` precede
 };
 
 TaskSets task_sets(Network const &network, std::vector<Time> const &tail);

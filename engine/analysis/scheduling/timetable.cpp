@@ -54,7 +54,7 @@ Timetable assign_units(TaskGraph const &graph, Units const &units, std::vector<T
     std::uint32_t unit;
     auto operator<=>(FreeUnit const &) const = default;
   };
-  // By kind the units, the one that is free first on top.
+  // Per kind, a heap of units by the time at which they are free.
   std::vector<std::priority_queue<FreeUnit, std::vector<FreeUnit>, std::greater<>>> free(units.count.size());
   for (std::size_t kind = 0; kind < units.count.size(); ++kind)
     for (unsigned i = 0; i < units.count[kind]; ++i) free[kind].push({0, units.first_of(kind) + i});

@@ -1,4 +1,4 @@
-// When each task begins and which unit does it, and whether that is possible.
+// Timetables: the start and unit of each task, and their validation.
 #pragma once
 
 #include "engine/analysis/tasks/task_graph.h"
@@ -8,10 +8,10 @@
 
 namespace symreal {
 
-// What does the work. Units are numbered kind by kind.
+// Execution units, numbered kind by kind.
 struct Units {
   std::vector<unsigned> count; // per kind of task
-  Time communication = 0;      // after a task, before its successor can begin on another unit
+  Time communication = 0;      // delay between a task and its successor on another unit
 
   unsigned total() const;
   unsigned first_of(std::size_t kind) const;
@@ -22,16 +22,16 @@ struct Timetable {
   std::vector<std::uint32_t> unit;
 };
 
-// When the last task ends.
+// End of the last task.
 Time length(TaskGraph const &graph, std::vector<Time> const &start);
 
-// Units for tasks of which never more run at once than there are units of their kind. Knows no communication.
+// Assigns units to tasks that never exceed the units of their kind. Ignores communication.
 Timetable assign_units(TaskGraph const &graph, Units const &units, std::vector<Time> const &start);
 
-// Dummy tasks take no time and begin or end the graph: nothing is communicated from or to them.
+// Marks dummy tasks: sources and sinks of zero duration, which need no communication.
 std::vector<char> dummies(TaskGraph const &graph);
 
-// What is wrong with a timetable, in words; nothing if it can be done as it is.
+// Description of a timetable's fault; nullopt if it is valid.
 std::optional<std::string> fault(TaskGraph const &graph, Units const &units, Timetable const &timetable);
 
 } // namespace symreal

@@ -32,7 +32,7 @@ void UnitChooser::place(TaskId task, std::vector<std::uint32_t> const *fixed, Ti
   Gap best = takes_time ? earliest_gap(first, task) : Gap{data_[first], 0};
   for (std::uint32_t unit = first + 1; unit < end; ++unit) {
     Gap const gap = takes_time ? earliest_gap(unit, task) : Gap{data_[unit], 0};
-    // Of equal times the one on the unit that has the data already leaves the others free.
+    // On ties the unit that has the data already wins, which leaves the others free.
     if (gap.begin > best.begin || (gap.begin == best.begin && data_[unit] >= data_[best_unit])) continue;
     best = gap;
     best_unit = unit;

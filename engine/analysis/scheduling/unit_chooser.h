@@ -1,4 +1,4 @@
-// List scheduling that chooses a unit for each task, where results take time from unit to unit.
+// List scheduling with a choice of unit for each task, given communication delays.
 #pragma once
 
 #include "engine/analysis/scheduling/priority_order.h"
@@ -15,8 +15,8 @@ public:
         busy_(units.total()),
         data_(units.total()) {}
 
-  // Takes the tasks one by one, the most urgent among those whose predecessors are placed. Each goes to the earliest
-  // gap of its unit in `fixed`; without that, of the unit in which it ends first. Returns the length.
+  // Takes the most urgent task among those whose predecessors are placed, and places it in the earliest gap of its unit
+  // in `fixed`, or without `fixed` on the unit where it ends first. Returns the length.
   Time run(std::span<Time const> priority, std::vector<std::uint32_t> const *fixed, Timetable &result);
 
 private:
@@ -25,7 +25,7 @@ private:
   };
   struct Gap {
     Time begin;
-    std::size_t before; // the place in the busy times of the unit
+    std::size_t before; // index into the unit's busy times
   };
   void find_data(TaskId task, Timetable const &result);
   Gap earliest_gap(std::uint32_t unit, TaskId task) const;
@@ -34,8 +34,8 @@ private:
   Network const &network_;
   Units const &units_;
   std::vector<char> const &is_dummy_;
-  std::vector<std::vector<Busy>> busy_; // per unit, in order
-  std::vector<Time> data_;              // per unit: when it has what the task needs
+  std::vector<std::vector<Busy>> busy_; // per unit, ascending
+  std::vector<Time> data_;              // per unit: arrival of the task's operands
   PriorityOrder order_;
 };
 

@@ -11,11 +11,11 @@ std::vector<Time> heads(Network const &network, Units const &units) {
   if (network.size() > most_tasks_with_ancestors) return longest_paths(network);
   Ancestors const ancestors(network);
   std::vector<Time> head(network.size());
-  std::vector<TaskId> done; // the latest head first
+  std::vector<TaskId> done; // descending by head
   for_each_in_order(network, [&](TaskId task) {
     for (TaskId before : network.before.of(task))
       head[task] = std::max(head[task], head[before] + network.duration[before]);
-    std::vector<Time> work(units.count.size()); // of ancestors that cannot begin before the one that is looked at
+    std::vector<Time> work(units.count.size()); // per kind: of ancestors with at least the current head
     for (TaskId other : done) {
       if (!ancestors.has(task, other)) continue;
       std::size_t const kind = network.kind[other];

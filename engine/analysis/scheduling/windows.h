@@ -1,4 +1,4 @@
-// When tasks can begin and end at all.
+// Windows: bounds on the begin and end of each task.
 #pragma once
 
 #include "engine/analysis/scheduling/network.h"
@@ -6,14 +6,14 @@
 
 namespace symreal {
 
-// Of each task, in every timetable: it begins at `head` or later, and the timetable goes on for `tail` or longer after
-// its end.
+// In every timetable, a task begins at `head` or later, and the timetable lasts for `tail` or longer after the task's
+// end.
 struct Windows {
   std::vector<Time> head, tail;
 };
 
-// By longest paths, and, where there are at most 8192 tasks, by the work of all ancestors: those that cannot begin
-// before a time must share the units from then on.
+// Computes windows by longest paths and, for at most 8192 tasks, by the work of all ancestors: those that cannot begin
+// before a time share the units from then on.
 Windows windows(Network const &network, Units const &units);
 
 } // namespace symreal

@@ -11,9 +11,9 @@ namespace symreal {
 
 namespace {
 
-constexpr double at_once = 8; // numbers in a line of a cache
+constexpr double at_once = 8; // numbers per cache line
 
-// Orders in which nothing stands before what it needs: that of the statements, by the earliest and by the latest begin.
+// Topological orders of the statements: the given one, by earliest start, and by latest start.
 std::vector<std::vector<TaskId>> orders(StatementTasks const &statements) {
   TaskGraph waiting = statements.tasks;
   waiting.duration = statements.latency;
@@ -26,7 +26,7 @@ std::vector<std::vector<TaskId>> orders(StatementTasks const &statements) {
   return result;
 }
 
-// Those that more than one thread is at.
+// Number of stages that several threads execute.
 std::size_t shared_stages(std::vector<Share> const &shares) {
   std::vector<std::uint32_t> stages;
   for (Share const &share : shares)
@@ -35,12 +35,12 @@ std::size_t shared_stages(std::vector<Share> const &shares) {
   return static_cast<std::size_t>(std::ranges::unique(stages).begin() - stages.begin());
 }
 
-// A part of a stage takes the larger of its work and its longest path.
+// Execution time, where a thread's part of a stage takes the larger of its work and its longest path.
 class Clock {
 public:
   Clock(StatementTasks const &statements, unsigned threads) : statements_(statements), threads_(threads) {}
 
-  // All parts of a stage at the same time.
+  // Sum over stages of the slowest part.
   double time(std::vector<Share> const &shares) const {
     TaskGraph const &tasks = statements_.tasks;
     std::size_t const stages = shares.empty() ? 0 : std::ranges::max(shares, {}, &Share::stage).stage + std::size_t{1};
@@ -68,7 +68,7 @@ private:
   unsigned threads_;
 };
 
-// Values that another part reads, or the end.
+// Number of values that are results or that another part reads.
 std::size_t crossing(StatementTasks const &statements, std::vector<Share> const &shares) {
   auto const same = [&](TaskId a, TaskId b) {
     return shares[a].stage == shares[b].stage && shares[a].thread == shares[b].thread;

@@ -8,9 +8,9 @@ namespace symreal {
 
 namespace {
 
-constexpr std::size_t most_cuts = 64; // places at which may be cut
+constexpr std::size_t most_cuts = 64; // possible cut points
 
-// The tasks of a slice, one after the other, and the sets of them that are connected.
+// Tasks of a slice, and their connected sets by union-find.
 class Slice {
 public:
   explicit Slice(StatementTasks const &statements)
@@ -42,10 +42,10 @@ public:
   }
 
   Time alone() const { return std::max(work_, path_); }
-  // If what is not connected can be shared out evenly.
+  // Time if the connected sets could be balanced perfectly.
   Time at_best(unsigned threads) const { return std::max({work_ / threads, largest_, path_}); }
 
-  // The largest set first, each to the thread with the least work. Returns how long it takes.
+  // Distributes the sets, largest first, each to the thread with the least work. Returns the time.
   Time share_out(unsigned threads, std::vector<Share> &shares) {
     std::vector<TaskId> sets;
     for (TaskId task : tasks_)
@@ -81,11 +81,11 @@ private:
 
   StatementTasks const &statements_;
   std::vector<TaskId> tasks_, parent_;
-  std::vector<Time> work_of_, end_; // of the set that a root stands for; per task, from the slice's beginning
+  std::vector<Time> work_of_, end_; // per root: work of its set; per task: end relative to the slice's begin
   Time work_ = 0, largest_ = 0, path_ = 0;
 };
 
-// So many, after about the same work each.
+// Possible cut points, spaced evenly by work.
 std::vector<std::size_t> places(StatementTasks const &statements, std::vector<TaskId> const &order) {
   std::vector<Time> const &duration = statements.tasks.duration;
   Time const all = std::accumulate(duration.begin(), duration.end(), Time{0});
@@ -99,7 +99,7 @@ std::vector<std::size_t> places(StatementTasks const &statements, std::vector<Ta
   return result;
 }
 
-// For each place the one before it at which the slice begins that ends there.
+// For each cut point, the begin of the best slice that ends there.
 std::vector<std::size_t> best_cuts(Slice &slice, std::vector<TaskId> const &order,
                                    std::vector<std::size_t> const &place, unsigned threads, Time meeting) {
   std::vector<Time> best(place.size(), std::numeric_limits<Time>::max());

@@ -1,4 +1,4 @@
-// Statements in slices of time. In a slice, those that have nothing to do with each other go to different threads.
+// Slicing of statements: within a slice of time, unconnected statements go to different threads.
 #pragma once
 
 #include "engine/analysis/sharing/statements.h"
@@ -6,9 +6,8 @@
 
 namespace symreal {
 
-// Where to cut is found by dynamic programming over an order in which nothing stands before what it needs; `meeting`:
-// what a slice costs that threads share. Where that is not worth it one thread computes; slices of this kind that
-// follow each other are one.
+// Finds cut points by dynamic programming over a topological order; `meeting` is the overhead of a shared slice. A
+// slice that does not pay for it runs on one thread; consecutive slices of this kind merge.
 std::vector<Share> sliced(StatementTasks const &statements, std::vector<TaskId> const &order, unsigned threads,
                           Time meeting);
 

@@ -45,7 +45,7 @@ private:
   bool is_task(NodeId id) const { return task_[id] != no_node; }
   bool is_nested(NodeId id) const { return id != no_node && !is_task(id) && !is_read(plan_, true, id); }
 
-  // Of the operations in the expression, those nested deepest first: operands have smaller numbers.
+  // Sums the costs of the operations in the expression, innermost first, since operands have smaller ids.
   void add_costs(NodeId variable) {
     throughput_ = 0;
     latency_ = 0;
@@ -66,7 +66,7 @@ private:
     latency_ = path_[variable];
   }
 
-  // Which call comes before is a matter of order alone.
+  // Operands without the preceding call, which only orders calls.
   std::span<NodeId const> operands(NodeId id) const {
     Node const &node = plan_.graph->nodes[id];
     return {node.operand.data(), node.op == Op::call_in_order ? 2 : node.operand.size()};
@@ -75,8 +75,8 @@ private:
   Schedule const &plan_;
   FunctionBody const &body_;
   Costs const &costs_;
-  std::vector<TaskId> task_; // per value that a statement above has set
-  std::vector<Time> path_;   // per nested operation, in the costs' parts
+  std::vector<TaskId> task_; // statement that defines the value
+  std::vector<Time> path_;   // per nested operation, in parts of the costs' unit
   double throughput_ = 0;
   Time latency_ = 0;
 };

@@ -1,4 +1,4 @@
-// The operations of a graph as tasks.
+// Operation tasks: the operations of a graph as tasks.
 #pragma once
 
 #include "engine/analysis/tasks/task_graph.h"
@@ -8,16 +8,16 @@
 
 namespace symreal {
 
-// What each operation costs, by Op. Leaves cost nothing.
+// Cost of each operation, indexed by Op. Leaves cost 0.
 using OperationCosts = std::array<Time, static_cast<std::size_t>(Op::count)>;
 
-// 1 for each operation, 0 for what costs nothing in the table: changes of sign, lists of arguments.
+// 1 for each operation, 0 for those that are free in the cost table: changes of sign, argument lists.
 OperationCosts unit_costs();
-// Column `cost` of the table of operations.
+// Column `cost` of the operation table.
 OperationCosts table_costs();
 
-// What function `compute` does: the live operations that depend on an input, or all live ones if the graph has no
-// `preprocess`. What `preprocess` has stored, constants, inputs and parameters are there from the beginning.
+// Operations of function `compute`: the live operations that depend on an input or that it recomputes, or all live ones
+// if the graph has no `preprocess`. Stored values, constants, inputs and parameters exist from the start.
 struct OperationTasks {
   TaskGraph tasks;
   std::vector<NodeId> node; // per task, ascending

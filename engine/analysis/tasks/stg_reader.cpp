@@ -10,7 +10,7 @@
 namespace symreal {
 namespace {
 
-// Sums of times and priorities that are made of them stay far from overflow.
+// Limits that keep sums of times and derived priorities far from overflow.
 constexpr std::uint64_t longest_time = 1'000'000'000, most_tasks = 10'000'000;
 
 struct Word {
@@ -18,7 +18,7 @@ struct Word {
   Place place;
 };
 
-// The words of the text line by line, without comments and empty lines.
+// Splits the text into lines of words, without comments and empty lines.
 class Lines {
 public:
   Lines(std::string_view text, std::string const &file) : rest_(text), place_{file, 0, 0} {}
@@ -68,7 +68,7 @@ struct Row {
   Time duration;
   Place place;
   std::vector<Word> before_words;
-  std::vector<std::uint32_t> before; // rows
+  std::vector<std::uint32_t> before; // row numbers
 };
 
 Row read_row(std::vector<Word> const &words) {
@@ -91,7 +91,7 @@ std::vector<Row> read_rows(std::string_view text, std::string const &file) {
   std::vector<Word> words;
   if (!lines.next(words)) malformed(lines.end(), "the number of tasks is missing");
   if (words.size() > 2) malformed(words[2].place, "the number of tasks stands on a line of its own");
-  if (words.size() == 2) number(words[1], "number of units", most_tasks); // that the file was made for
+  if (words.size() == 2) number(words[1], "number of units", most_tasks); // checked, then ignored
   Word const head = words[0];
   std::uint64_t const count = number(head, "number of tasks", most_tasks);
   std::vector<Row> rows;
@@ -117,7 +117,7 @@ void resolve(std::vector<Row> &rows) {
     }
 }
 
-// Each task of `waiting` has a predecessor among them, so going back from one leads into a cycle.
+// Reports a cycle: each waiting task has a waiting predecessor, so walking back from one leads into a cycle.
 [[noreturn]] void fail_with_cycle(std::vector<Row> const &rows, std::vector<std::uint32_t> const &waits_for) {
   auto const waits = [&](std::uint32_t row) { return waits_for[row] != 0; };
   std::uint32_t row = 0;
@@ -147,7 +147,7 @@ void resolve(std::vector<Row> &rows) {
 StgTasks sorted(std::vector<Row> const &rows) {
   std::vector<std::vector<std::uint32_t>> after(rows.size());
   std::vector<std::uint32_t> waits_for(rows.size());
-  std::priority_queue<std::uint32_t, std::vector<std::uint32_t>, std::greater<>> ready; // the first in the text on top
+  std::priority_queue<std::uint32_t, std::vector<std::uint32_t>, std::greater<>> ready; // min-heap by text position
   for (std::uint32_t i = 0; i < rows.size(); ++i) {
     for (std::uint32_t before : rows[i].before) after[before].push_back(i);
     waits_for[i] = static_cast<std::uint32_t>(rows[i].before.size());

@@ -15,7 +15,7 @@ std::vector<TaskId> without_successor(TaskGraph const &graph) {
   return result;
 }
 
-// One task begins the graph and one ends it, and neither takes time.
+// Whether the graph has a single source and a single sink, both of zero duration.
 bool has_dummies(TaskGraph const &graph, std::vector<TaskId> const &last) {
   auto const starts = [&](std::size_t task) { return graph.predecessors(static_cast<TaskId>(task)).empty(); };
   if (graph.size() < 2 || last.size() != 1 || last[0] + 1 != graph.size()) return false;

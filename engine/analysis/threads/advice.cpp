@@ -16,7 +16,7 @@ Advice advise(Graph const &graph, Costs const &costs, KernelBlocks const &kernel
   double const span = costs.in_unit(levels(waiting).span);
   Advice result;
   result.threads = kernel.blocks.count;
-  double const saved = 1 - 1.0 / result.threads; // of the work, at best
+  double const saved = 1 - 1.0 / result.threads; // largest saved fraction of the work
   result.one_core = std::max(work, span);
 
   result.levels = static_cast<std::size_t>(levels(operation_tasks(graph, unit_costs()).tasks).span);

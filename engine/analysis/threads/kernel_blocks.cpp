@@ -8,7 +8,7 @@ namespace symreal {
 
 namespace {
 
-// Measured costs have two digits behind the point; what costs something occupies a core for some time.
+// Durations by throughput, in parts that hold the two decimals of measured costs; at least 1 for a nonzero cost.
 OperationCosts occupation(Costs const &costs, Time scale) {
   OperationCosts result = costs.latency;
   for (std::size_t row = 0; costs.scale != 1 && row < result.size(); ++row)

@@ -1,4 +1,4 @@
-// The operations of a kernel in blocks.
+// Kernel blocks: the operations of a kernel, partitioned into blocks.
 #pragma once
 
 #include "engine/analysis/blocks/block_figures.h"
@@ -7,9 +7,9 @@
 namespace symreal {
 
 struct KernelBlocks {
-  OperationTasks operations; // each lasts as long as it occupies a core: its throughput
-  Time scale = 1;            // these are so many parts of the costs' unit
-  std::size_t count = 0;     // of operations that cost something
+  OperationTasks operations; // durations are throughputs: the time on a core
+  Time scale = 1;            // parts of the costs' unit in durations
+  std::size_t count = 0;     // of operations of nonzero cost
   Components components;
   Blocks blocks;
   BlockFigures figures;

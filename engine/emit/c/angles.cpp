@@ -4,10 +4,10 @@
 
 namespace symreal {
 
-// Method: pi/2 is taken off a whole number of times, in three parts of 33, 33 and 53 bits (Cody and Waite 1980), so
-// that the first two products and differences are exact; on -pi/4..pi/4 sine and cosine are polynomials, odd and even,
-// of least error (Remez 1934): 2^-58 of the sine, 2^-64 of the cosine. What is computed within 1e5 has an error
-// below 2.5 units in the last place; tests/emit/angles.test measures it.
+// Method: Cody-Waite reduction (1980) subtracts a multiple of pi/2 in three parts of 33, 33 and 53 bits, so that the
+// first two products and differences are exact; on -pi/4..pi/4 sine and cosine are minimax polynomials (Remez 1934),
+// odd and even, with an error of 2^-58 for the sine and 2^-64 for the cosine. For angles within 1e5 results have an
+// error below 2.5 units in the last place; tests/emit/angles.test measures it.
 std::string c_sines_and_cosines(Emission const &emission) {
   if (emission.plan.angles.size() == 0) return {};
   std::string_view const prefix = emission.language.expressions.call_prefix;

@@ -21,8 +21,8 @@ bool has_sine_and_cosine_of_one(Schedule const &plan) {
 
 } // namespace
 
-// Multiplications and additions are not to be fused, whatever the flags: gcc's vectoriser of straight-line code does it
-// even with -ffp-contract=off, where sums and differences alternate; that of loops only as reroll/side_by_side.h says.
+// Fusion of multiplications and additions is forbidden under any flags: gcc's SLP vectoriser fuses even with
+// -ffp-contract=off, where sums and differences alternate; its loop vectoriser only as reroll/side_by_side.h says.
 std::string c_no_fusion(Emission const &emission) {
   if (!emission.forbids_fusion()) return {};
   std::string text = "#if defined(__clang__)\n"
@@ -38,7 +38,7 @@ std::string c_no_fusion(Emission const &emission) {
                 "#endif\n";
 }
 
-// Vectors, where the compiler has them and processors with them are asked for: otherwise numbers alone are faster.
+// Vectors are used only if the compiler has them and the target processor is requested: otherwise scalars are faster.
 std::string c_vectors(Emission const &emission) {
   if (!emission.lanes || !emission.lanes->compute) return {};
   lanes::LaneFunction const &function = *emission.lanes->compute;
@@ -68,7 +68,7 @@ std::string c_vectors(Emission const &emission) {
   return text + "#endif\n#endif\n";
 }
 
-// Joined to one function again, its parts would take the compiler more than linear time.
+// Inlined into one function again, the parts would take the compiler superlinear time.
 std::string c_apart(Emission const &emission) {
   if (!emission.uses.apart) return {};
   return "#if defined(__GNUC__)\n"
@@ -78,8 +78,8 @@ std::string c_apart(Emission const &emission) {
          "#endif\n";
 }
 
-// Sine and cosine of one angle become one call where the compiler knows that neither sets errno, which nobody reads
-// here. glibc's has the bits of the two.
+// A compiler merges the sine and cosine of one angle into one call if it knows that they do not set errno, which
+// generated code never reads. The results of glibc's merged call are bitwise those of the two.
 std::string c_sine_and_cosine(Emission const &emission) {
   if (!has_sine_and_cosine_of_one(emission.plan)) return {};
   bool const is_cxx = emission.language.has_namespace, is_single = emission.language.is_single;
@@ -104,7 +104,7 @@ std::string c_value_checks(Emission const &emission) {
          "}\n";
 }
 
-// Without OpenMP one thread computes all, and nobody need hear of it.
+// Silences warnings about unknown pragmas: without OpenMP one thread computes all.
 std::string c_quiet_pragmas(Emission const &emission) {
   if (emission.plan.threads == 1) return {};
   return "#if defined(__GNUC__) && !defined(_OPENMP)\n"

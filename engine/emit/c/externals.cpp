@@ -34,8 +34,8 @@ std::string prototype(External const &external) {
                      parameters.empty() ? "void" : parameters);
 }
 
-// Functions of complex numbers are defined where they are used. A number made of its parts by arithmetic would change
-// infinities and zeros; without <complex.h>, whose macros are names as programs have them.
+// Wrappers of complex functions. Building a number from its parts by arithmetic would change infinities and zeros;
+// <complex.h> is avoided, since its macros clash with names of programs.
 std::string complex_definitions(Graph const &graph, std::set<std::size_t> const &functions) {
   std::string declarations, definitions;
   for (std::size_t number : functions) {
@@ -63,7 +63,7 @@ std::string complex_definitions(Graph const &graph, std::set<std::size_t> const 
 
 std::string prototypes(Graph const &graph, std::set<std::size_t> const &functions) {
   std::set<std::uint32_t> objects;
-  std::set<std::string> declared; // arrays of several sizes may go to one function
+  std::set<std::string> declared; // one function may take arrays of several sizes
   std::string text;
   for (std::size_t number : functions) {
     External const &external = graph.externals[number];

@@ -1,4 +1,4 @@
-// External functions in C. Verification calls them by themselves.
+// External functions in C, for the kernel and, as separate wrappers, for verification.
 #pragma once
 
 #include "engine/emit/print/emission.h"
@@ -8,13 +8,13 @@
 
 namespace symreal {
 
-// A declaration of each function that is called. Parameters are declared by what they consist of, doubles; that is how
-// a program passes structs and arrays of doubles.
+// Declarations of the called functions. Parameters are declared as the doubles that they consist of, by which a program
+// passes structs and arrays of doubles.
 std::string c_external_declarations(Emission const &emission);
 
 std::vector<std::string> c_call(ExternalCall const &call);
 
-// A C file with a function for each external one, which takes its arguments and gives its results as flat arrays:
+// A C file with a wrapper per external function, with flat arrays of arguments and results:
 //   void symreal_call_<number>(double const *argument, double *result);
 std::string c_external_calls(Graph const &graph);
 

@@ -5,7 +5,7 @@
 
 namespace symreal {
 
-// Two question marks could begin a trigraph.
+// A C string literal; escapes successive question marks, which could begin a trigraph.
 std::string c_string(std::string_view text) {
   std::string result = "\"";
   for (char const c : printable(text)) {

@@ -7,7 +7,7 @@
 
 namespace symreal {
 
-// The index of each object's first element, and a struct of numbers with the objects in order: a pointer to it is a
+// Index of each object's first element, and a struct of numbers with the objects in order: a pointer to the struct is a
 // pointer to the array.
 static std::string describe(Emission const &emission, std::string const &role, std::vector<Object> const &objects) {
   auto const [indices, members] = c_objects(emission, role, objects);

@@ -25,14 +25,14 @@ bool is_integer_type_used(OperationInfo const &operation) {
          (operation.form == Form::cast && operation.c.find("int") != operation.c.npos);
 }
 
-// What has been printed.
+// Whether an operation that passes the test has been printed.
 template <class Test> bool any_printed(Emission const &emission, Test test) {
   return std::ranges::any_of(operations(), [&](OperationInfo const &operation) {
     return emission.uses.operations[static_cast<std::size_t>(operation.op)] && test(operation);
   });
 }
 
-// Whether the body of a function of the table calls another one of it.
+// Whether the body of one function of the table calls another.
 bool calls(std::string_view text, std::string_view function) {
   std::string const call = std::string(function) + "(";
   for (std::size_t at = text.find(call); at != text.npos; at = text.find(call, at + 1)) {
@@ -42,7 +42,7 @@ bool calls(std::string_view text, std::string_view function) {
   return false;
 }
 
-// The text with float in place of double: the type, numbers, and functions of the library.
+// The text in single precision: float for double, with the types, literals and library functions.
 std::string in_single(std::string_view text) {
   std::string result;
   auto const is_part = [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '.'; };
@@ -59,7 +59,7 @@ std::string in_single(std::string_view text) {
   return result;
 }
 
-// One statement a line.
+// Definition of the function, one statement per line.
 std::string text_of(Function const &function) {
   std::string text = fmt::format("static {} {}{} {{\n", function.type, function.name, function.parameters);
   std::string_view body = function.body;

@@ -8,7 +8,7 @@
 
 namespace symreal {
 
-// Zero-length arrays are no C99, so an empty one gets an element that nothing reads.
+// C99 lacks zero-length arrays, so an empty one gets an unread element.
 static std::string array(std::string const &type, std::string const &name, std::vector<std::string> const &values) {
   std::string list;
   for (std::string const &value : values) list += (list.empty() ? "" : ",\n    ") + value;

@@ -13,7 +13,7 @@ std::string name_of(Emission const &emission, MatrixText const &matrix, IndexLis
   return emission.name(matrix.name + "_" + std::string(list.name));
 }
 
-// C has no array without elements.
+// C lacks arrays without elements.
 std::size_t length_of(IndexList const &list) { return std::max<std::size_t>(list.values.size(), 1); }
 
 std::string definition(Emission const &emission, MatrixText const &matrix, IndexList const &list) {

@@ -1,4 +1,4 @@
-// What MATLAB and Octave call generated C by, in the interface that both have (mxGetPr, real doubles).
+// MEX gateway to generated C for MATLAB and Octave, in their common interface (mxGetPr, real doubles).
 #include "engine/emit/c/parts.h"
 #include "engine/emit/print/module.h"
 #include "engine/emit/print/source.h"

@@ -5,7 +5,7 @@
 
 namespace symreal {
 
-// Numbers, or structs of them without tags: a struct of numbers alone has no gaps.
+// Declares numbers, or untagged structs of them: a struct of numbers alone has no padding.
 static std::string declare(Language const &language, std::string const &indent, std::string const &name,
                            std::vector<std::size_t> const &extents, std::vector<Member> const &members) {
   if (number_count(extents, members) == 0) return {};

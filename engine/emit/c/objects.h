@@ -1,4 +1,4 @@
-// The annotated objects in C and C++: where each begins in the array of its role, and members for a struct of doubles.
+// Annotated objects in C and C++: offsets in the array of their role, and members of a struct of doubles.
 #pragma once
 
 #include "engine/emit/print/emission.h"
@@ -6,13 +6,13 @@
 namespace symreal {
 
 struct ObjectTexts {
-  std::string indices; // enumerators, each on a line of its own; empty where there is no number
+  std::string indices; // enumerators, one per line; empty if the role has no elements
   std::string members;
 };
 
 ObjectTexts c_objects(Emission const &emission, std::string const &role, std::vector<Object> const &objects);
 
-// The macro that keeps a header from being read twice.
+// The include guard's macro.
 std::string include_guard(Emission const &emission, std::string const &suffix);
 
 } // namespace symreal

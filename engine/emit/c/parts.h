@@ -1,4 +1,4 @@
-// The parts of generated C, one function each; those that C++ has as well are used there.
+// The parts of generated C, one function each; C++ shares some of them.
 #pragma once
 
 #include "engine/emit/print/emission.h"
@@ -13,41 +13,41 @@ std::string c_mainline(Emission const &emission);
 std::string c_mex(Emission const &emission);
 std::string c_simulink(Emission const &emission);
 
-// How C and C++ differ in a program that runs the kernel once.
+// Differences between C and C++ in a program that runs the kernel once.
 struct MainlineWords {
   std::string header, includes;
-  std::string scope; // before the names of the interface
+  std::string scope; // qualifier of the interface names
 };
 std::string mainline(Emission const &emission, MainlineWords const &words);
 
-// The integer functions that the kernel's functions call, and their includes.
+// Integer functions that the kernel's functions call, and their includes.
 std::string c_integer_functions(Emission const &emission);
 std::string c_integer_includes(Emission const &emission);
 
-// With guards only: the function that gives their texts, and its name with what it takes.
+// Function that returns the texts of guards, if there are guards.
 std::string c_guard_text(Emission const &emission);
-// What stands behind the functions.
+// Code after the kernel's functions.
 std::string c_end(Emission const &emission);
 
-// The index lists of matrices of derivatives: declared in C's header and defined in its source, and defined in C++'s
-// header.
+// Index lists of matrices of derivatives: the declarations for C's header, the definitions for C's source, and those
+// for C++'s header.
 std::string c_matrices(Emission const &emission);
 std::string c_matrix_lists(Emission const &emission);
 std::string cpp_matrices(Emission const &emission);
 
-// What reports values that are not finite, where they are checked.
+// Function that reports values that are not finite, if they are checked.
 std::string c_value_checks(Emission const &emission);
 
-// Whatever the flags, nothing is fused; empty in mode fast.
+// Pragmas that forbid fusion under any compiler flags; empty in mode fast.
 std::string c_no_fusion(Emission const &emission);
 std::string c_quiet_pragmas(Emission const &emission);
-// That sine and cosine only compute, where there are both of one angle.
+// Declarations of sine and cosine as pure functions, if the kernel has both of one angle.
 std::string c_sine_and_cosine(Emission const &emission);
-// The function that computes sines and cosines side by side.
+// Function that computes sines and cosines in one vectorisable loop.
 std::string c_sines_and_cosines(Emission const &emission);
-// With vectors: their type, and how they are loaded and stored.
+// Vector type, and functions that load and store vectors, if there are vectors.
 std::string c_vectors(Emission const &emission);
-// A word for functions that compilers must not inline, where there are such.
+// Macro for functions that compilers must not inline, if there are such.
 std::string c_apart(Emission const &emission);
 
 } // namespace symreal

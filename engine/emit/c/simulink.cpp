@@ -1,4 +1,4 @@
-// What Simulink calls generated C by: a level-2 S-function.
+// Simulink block for generated C: a level-2 S-function.
 #include "engine/emit/c/parts.h"
 #include "engine/emit/print/module.h"
 #include "engine/emit/print/source.h"

@@ -12,7 +12,7 @@ namespace {
 
 constexpr char const *nodiscard = "[[nodiscard]] ";
 
-// A struct of numbers alone has no gaps, so it is its array.
+// A struct of numbers alone has no padding, so it has the layout of its array.
 std::string structure(Emission const &emission, std::string const &name, std::string const &members,
                       std::size_t count) {
   if (count == 0) return fmt::format("struct {} {{}};\n\n", name);
@@ -27,7 +27,7 @@ std::string described(Emission const &emission, std::string const &role, std::st
   return first + structure(emission, type, members, count);
 }
 
-// The functions on structs, and on spans where the standard has them.
+// Overloads for structs, and for spans where the standard has them.
 std::string overloads(Emission const &emission, std::string const &result) {
   std::string const give = result == "void" ? "" : "return ";
   return fmt::format(

@@ -1,4 +1,4 @@
-// The parts of generated C++ that are not as in C, one function each.
+// The parts of generated C++ that differ from C, one function each.
 #pragma once
 
 #include "engine/emit/print/emission.h"

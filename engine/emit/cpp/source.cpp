@@ -10,7 +10,7 @@ namespace symreal {
 std::string cpp_namespace(std::string const &kernel, std::string const &prefix) {
   if (!prefix.empty()) return prefix;
   std::string const name = identifier(kernel);
-  // What <cmath> declares in the global namespace cannot name another one.
+  // Names that <cmath> declares in the global namespace are taken.
   auto const spells_it = [&](OperationInfo const &operation) { return operation.c == name; };
   bool const is_taken = name == "std" || name == "main" || std::ranges::any_of(operations(), spells_it);
   return is_taken ? name + "_" : name;

@@ -24,7 +24,7 @@ std::string reference_line(std::string const &library) {
   return std::string(reference_begin) + library + std::string(reference_end);
 }
 
-// The beginnings of the line and of the next one; both 0 where the text has no such line.
+// Bounds of the line, including its newline; both 0 if the text lacks the line.
 static std::pair<std::size_t, std::size_t> reference_bounds(std::string_view text) {
   constexpr int banner_lines = 4;
   if (banner_of(text).empty()) return {};

@@ -1,4 +1,4 @@
-// What is asked of an emission, and the files that it gives.
+// Options of an emission, and the files that it returns.
 #pragma once
 
 #include "engine/graph/graph.h"
@@ -14,16 +14,16 @@ struct EmitOptions {
   std::string base_name = "kernel"; // files are base_name.c, base_name.h, base_name_main.c
   std::string prefix = {};          // of every identifier with external linkage: "arm" gives arm_compute
   FloatingPoint mode = FloatingPoint::finite;
-  std::set<std::string, std::less<>> extras = {}; // files on request, such as "mainline" (language.h)
-  bool trace_comments = false;                    // every statement says which source lines it comes from
-  bool check_values = false;  // one operation a statement, and the first NaN or infinity of a call is reported
+  std::set<std::string, std::less<>> extras = {}; // extra files, such as "mainline" (language.h)
+  bool trace_comments = false;                    // every statement has a comment with its source lines
+  bool check_values = false;  // one operation per statement; a call reports its first NaN or infinity
   bool is_single = false;     // numbers are float
-  bool angles = false;        // sines and cosines of inputs are computed side by side (schedule/angles.h)
-  bool origins = false;       // where the lines of statements come from is wanted
+  bool angles = false;        // vectorises sines and cosines of inputs (schedule/angles.h)
+  bool origins = false;       // records the source locations of statement lines
   std::string reference = {}; // the mathematical library of the original; empty without an original
 };
 
-// Lines of a file that hold one statement, and where its operations come from.
+// Lines of one statement, and the source locations of its operations.
 struct LineOrigin {
   std::size_t first_line, last_line;
   std::vector<LocationId> locations;
@@ -32,7 +32,7 @@ struct LineOrigin {
 struct EmittedFile {
   std::string name;
   std::string text;
-  std::vector<LineOrigin> origins = {}; // on request, where the graph has places
+  std::vector<LineOrigin> origins = {}; // on request, if the graph has locations
 };
 
 } // namespace symreal

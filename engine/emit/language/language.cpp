@@ -74,7 +74,7 @@ std::string constant(Language const &language, double value) {
   return text += syntax.suffix;
 }
 
-// A line of a comment in which its mark, such as *), stands apart.
+// A line of a comment with the comment's delimiter, such as *), split by a blank.
 static std::string without(std::string line, std::string_view mark) {
   while (mark.starts_with(' ')) mark.remove_prefix(1);
   while (mark.ends_with(' ')) mark.remove_suffix(1);
@@ -83,7 +83,7 @@ static std::string without(std::string line, std::string_view mark) {
   return line;
 }
 
-// A line that ends in a backslash would go on in the next, C replaces trigraphs, and Java reads \u wherever it stands.
+// A trailing backslash would continue the line, C replaces trigraphs, and Java reads \u anywhere.
 static std::string commented(Language const &language, std::string const &line) {
   auto const &[open, next, close] = language.comment;
   std::string text = printable(line);

@@ -1,11 +1,11 @@
-// What a language is to the emitters: a table. One walk over the schedule (emit/print) prints every language by it.
+// Language table: all that emitters know of a language. One walk over the schedule (emit/print) prints all of them.
 //
-// Strings with a '$' are patterns (pattern.h); the comment behind each says which places it has. In patterns of
-// expressions $x, $y, $z are operands, and $x:13 one that needs parentheses unless it binds at least that tightly;
+// Strings with a '$' are patterns (pattern.h); the comment after each lists its placeholders. In patterns of
+// expressions $x, $y, $z are operands, and $x:13 is one that needs parentheses unless it binds at least that tightly;
 // binding strengths are those of the table of operations, C's.
 //
-// Every pattern, spellings and helpers too, also has $real, the name of the type of numbers, $suffix, what stands
-// behind a number without an exponent, and the language's own words.
+// All patterns, including spellings and helpers, also have $real, the name of the real type, $suffix, the suffix of a
+// number without an exponent, and the language's own words.
 #pragma once
 
 #include "engine/emit/language/bridge.h"
@@ -23,89 +23,89 @@
 namespace symreal {
 
 struct Emission; // print/emission.h
-// A part of a generated file that a language writes by itself; ends in a newline, unless it is empty.
+// A part of a generated file that a language prints itself; ends in a newline, unless it is empty.
 using Part = std::string (*)(Emission const &);
 
-// Where an operation is spelled otherwise than the table of operations says. Precedence 0: never in parentheses.
+// Exception to the spelling in the operation table. Precedence 0: never in parentheses.
 struct OperationSpelling {
   Op op;
   std::string_view pattern = {}; // "merge($y, $z, $x)"
   int precedence = 0;
 };
 
-// A comment begins with `open`; each further line of it with `next`; `close` is empty where it ends with the line.
+// Comment delimiters: `open` begins a comment, `next` its further lines; an empty `close`: it ends with the line.
 struct CommentSyntax {
   std::string_view open = {}, next = {}, close = {};
 };
 
-// Lines are broken at blanks. Functions are indented by `base`, and what stands in a block by `step` more.
+// Line layout. Lines are broken at blanks. Functions are indented by `base`, each block by `step` more.
 struct LineLimits {
   std::size_t width = 100;
-  std::size_t least = 0;              // so much is kept for the text however deep it is indented, beyond the width
-  std::string_view continuation = {}; // what ends a line that goes on in the next
+  std::size_t least = 0;              // least width of the text at deep indentation, even beyond `width`
+  std::string_view continuation = {}; // suffix of a line that continues on the next
   std::size_t base = 0, step = 2;
 };
 
 struct ExpressionSyntax {
-  std::string_view call_prefix = {}; // of the names of the mathematical library: "std::"
+  std::string_view call_prefix = {}; // of math library names: "std::"
   std::string_view call_open = "(", call_close = ")";
-  std::string_view local_prefix = {}; // of the names of the operations that are functions of this file
-  std::string (*variable)(std::string const &) = nullptr;  // how the name of a variable is written
-  std::span<OperationSpelling const> operations = {};      // the exceptions to the table of operations
+  std::string_view local_prefix = {};                      // of operations that are functions of this file
+  std::string (*variable)(std::string const &) = nullptr;  // converts the name of a variable
+  std::span<OperationSpelling const> operations = {};      // exceptions to the operation table
   std::string_view element = {};                           // $array $index
   std::size_t first_index = 0;                             // of an array
-  std::string_view yes = {};                               // a condition that always holds
-  std::string_view truth_as_number = {};                   // $x; empty: a truth value is a number
-  std::string_view small_integer = {}, large_integer = {}; // $value $signed $hex: of 31 bits, of 64
-  std::string_view kept_integer = {};                      // $element of an array of numbers that has an integer's bits
-  std::string_view hidden = {};                            // $x, of which compilers must not know that it is constant
-  std::string_view table_index = {};                       // $index $extent: the nearest within 0..extent-1
+  std::string_view yes = {};                               // a condition that is always true
+  std::string_view truth_as_number = {};                   // $x; empty: truth values are numbers
+  std::string_view small_integer = {}, large_integer = {}; // $value $signed $hex: of 31 bits, of 64 bits
+  std::string_view kept_integer = {}; // $element of an array of numbers that holds an integer's bits
+  std::string_view hidden = {};       // $x, whose constant value compilers must not see
+  std::string_view table_index = {};  // $index $extent: clamped to 0..extent-1
 };
 
 struct StatementSyntax {
-  std::string_view first_declaration = {};      // $type $name, where all declarations stand before the first statement
-  std::string_view variable = {};               // $type $name $value: a declaration of what is set again
-  std::string_view constant = {};               // $type $name $value: a declaration of what is not
+  std::string_view first_declaration = {};      // $type $name, if declarations must precede all statements
+  std::string_view variable = {};               // $type $name $value: declares a variable that is assigned again
+  std::string_view constant = {};               // $type $name $value: declares a constant
   std::string_view set = {};                    // $name $value
   std::string_view keep_integer = {};           // $element $value
   std::string_view array = {}, zero_array = {}; // $name $count: of numbers
   std::string_view open = {}, otherwise = {},
-                   close = {};       // $condition: a block, its else, its end; an empty one is no line
+                   close = {};       // $condition: a block, its else, its end; empty: omits the line
   std::string_view check = {};       // $condition $number: returns the number of a guard
   std::string_view value_check = {}; // $name $text: reports a value that is not finite
   std::string_view value_check_begin = {};
 };
 
 struct FunctionSyntax {
-  // $result $name $parameters $target $pure $apart $beside: of the interface, of this file; behind the last
+  // $result $name $parameters $target $pure $apart $beside: head of an interface function, of a local one; the end
   std::string_view head = {}, local_head = {}, end = {};
-  std::string_view pure = {};                   // in heads, of functions that call nothing outside of the file
-  std::string_view apart = {};                  // in heads of parts, which compilers must not join again
-  std::string_view beside = {};                 // of parts whose loops become vectors
+  std::string_view pure = {};                   // in heads of functions that call only functions of the file
+  std::string_view apart = {};                  // in heads of parts that compilers must not inline
+  std::string_view beside = {};                 // in heads of parts whose loops are vectorised
   std::string_view no_result = {}, status = {}; // $result
-  // $target: the array that a function fills. $name: a parameter that is an array of numbers; no output: the function
-  // returns the array
-  std::string_view input = {}, output = {}, local_output = {};      // local: of this file's functions; empty: as output
-  bool output_first = false;                                        // among the parameters
-  std::string_view input_declaration = {}, output_declaration = {}; // $name: where the types stand in the body
-  // $names of all variables and of the array that is returned, where one statement declares them; without any
+  // $target: the array that a function fills. $name: an array parameter; an empty `output`: the function returns the
+  // array
+  std::string_view input = {}, output = {}, local_output = {}; // local: in this file's functions; empty: as `output`
+  bool output_first = false;                                   // among the parameters
+  std::string_view input_declaration = {}, output_declaration = {}; // $name: if the body declares types
+  // $names of all variables and of the returned array, if one statement declares them; the latter for none
   std::string_view locals = {}, no_locals = {};
-  std::string_view unused = {};                    // $name of a parameter that the body does not use
+  std::string_view unused = {};                    // $name of an unused parameter
   std::string_view results = {};                   // $name $count: before the results are stored
   std::string_view success = {};                   // the end of a function with guards
   std::string_view finish = {}, local_finish = {}; // $name: the last statement of every function
-  std::string_view failed = {};                    // declares what takes a status
-  std::string_view status_declaration = {};        // of the parameter that does, where it is one
+  std::string_view failed = {};                    // declares the variable for a status
+  std::string_view status_declaration = {};        // of the parameter for a status, if it is one
   std::string_view call = {},
-                   checked_call = {}; // $name $group $arguments: of a part of this function; checked: return its status
-  bool parts_store = false;           // a part of a function may be given the array that it fills
-  std::size_t most_statements = 500;  // longer ones are cut: compilers take more than linear time on one function
-  // Where a class may have only so many functions: $name of the class around these parts.
+                   checked_call = {}; // $name $group $arguments: calls a part of this function; checked: returns status
+  bool parts_store = false;           // parts may take the output array
+  std::size_t most_statements = 500;  // longer bodies are cut: compilers take superlinear time on one function
+  // Class around a group of parts, $name, if the language limits the functions of a class.
   std::string_view group_begin = {}, group_end = {};
   std::size_t group_size = 0;
 };
 
-// How threads share the parts of a function: lines around a stage and around the calls of each of its parts.
+// Threads that share the parts of a function: lines around a stage, and around the calls of each part.
 struct ParallelSyntax {
   std::string_view stage_begin = {}, part_begin = {}, part_end = {}, stage_end = {}; // $threads
   std::size_t indent = 0;                                                            // of the calls
@@ -113,22 +113,21 @@ struct ParallelSyntax {
   bool is_given() const { return !stage_begin.empty(); }
 };
 
-// Loops that --reroll makes of repeats, and the tables that they read: constants of the function.
+// Loops that --reroll finds, and the tables that they read: constants of the function.
 struct LoopSyntax {
   std::string_view begin = {}, end = {};               // $index $count
-  std::string_view counter = {}, count = {};           // $index: of the turns of two loops together, from 0; one more
-  std::string_view row = {}, stored_row = {};          // $name $table $index: where a row begins that is read, stored
-  std::string_view element_table = {}, table_end = {}; // $name $count: of elements of arrays
-  // $rows $copy: a statement for each row and column below a diagonal, column by column, eight columns at a time
+  std::string_view counter = {}, count = {};           // $index: counts all iterations of a nest, from 0; its increment
+  std::string_view row = {}, stored_row = {};          // $name $table $index: begin of a row that is read, stored
+  std::string_view element_table = {}, table_end = {}; // $name $count: of array indices
+  // $rows $copy: a statement for each row and column below a diagonal, by columns, in blocks of eight
   std::string_view below_diagonal = {};
 
   bool is_given() const { return !begin.empty(); }
 };
 
-// Vectors of $width numbers that --vector computes with. Operators work on them lane by lane, and on a vector and a
-// number.
+// Vectors of $width numbers for --vector. Operators apply lane by lane, also to a vector and a number.
 struct VectorSyntax {
-  std::string_view begin = {}, otherwise = {}, end = {}; // lines around a function with vectors and one without
+  std::string_view begin = {}, otherwise = {}, end = {}; // lines around vector code and scalar code
   std::string_view type = {};
   std::string_view load = {}, store = {}; // $place; $value
   std::string_view build = {};            // $values
@@ -138,12 +137,12 @@ struct VectorSyntax {
   bool is_given() const { return !begin.empty(); }
 };
 
-// Sines and cosines side by side, which mode fast begins compute with: $angles, $sine and $cosine are arrays, `helper`
-// is the function that `call` calls.
+// Vectorised sines and cosines at the start of compute, in mode fast: $angles, $sine and $cosine are arrays, `helper`
+// prints the function that `call` calls.
 struct AnglesSyntax {
   std::string_view call = {};            // $count $angles $sine $cosine
-  std::string_view from = {};            // $array $first: the array from that element on
-  std::string_view begin = {}, end = {}; // $name $count: around the elements of an array of constants
+  std::string_view from = {};            // $array $first: the subarray from that element on
+  std::string_view begin = {}, end = {}; // $name $count: around the elements of a constant array
   Part helper = nullptr;
 
   bool is_given() const { return helper; }
@@ -152,24 +151,23 @@ struct AnglesSyntax {
 // A table of constants: `begin`, lines of numbers, `end`.
 struct TableSyntax {
   std::string_view begin = {}, end = {}; // $name $count
-  std::string_view index_helper = {};    // the function that table_index calls
-  // Longer ones are made of parts, where a language bounds what stands in one: $name $parts, a list of names.
+  std::string_view index_helper = {};    // function that table_index calls
+  // Longer tables are joined from parts, if the language limits their length: $name $parts, a list of names.
   std::size_t most_values = 0;
   std::string_view joined = {};
 };
 
-// A call of an external function: with an expression for each argument, its results go to the elements of an array of
-// numbers from `first` on.
+// A call of an external function: an expression per argument; results go to the elements of `array` from `first` on.
 struct ExternalCall {
   External const &function;
   std::string label; // in the names of local variables
   std::vector<std::string> arguments;
   std::string array;
   std::size_t first = 0;
-  bool is_wanted = true; // somebody reads the returned value
+  bool is_wanted = true; // the returned value is read
 };
 
-// How external functions are called: directly, or by bridges; nothing where the language cannot.
+// Calls of external functions: direct, or by bridges; both empty if the language has neither.
 struct ExternalSyntax {
   Part declarations = nullptr;
   std::vector<std::string> (*call)(ExternalCall const &) = nullptr; // the statements
@@ -178,27 +176,27 @@ struct ExternalSyntax {
   bool is_given() const { return call || bridge.is_given(); }
 };
 
-// A file beside the source.
+// An extra file beside the source.
 struct Companion {
   std::string_view suffix = {}; // ".h"
   Part text = nullptr;
-  std::string_view option = {};     // "mainline": written where this is asked for, otherwise always
-  bool is_named_after_file = false; // so the file's name must be one in the language
-  bool takes_doubles = false;       // so the functions must, too
+  std::string_view option = {};     // "mainline": written on this request; empty: always written
+  bool is_named_after_file = false; // its name must be an identifier
+  bool takes_doubles = false;       // the functions must take doubles
 };
 
-// Source: banner, begin, declarations of external functions, open, tables, integer functions, the helper that hides,
+// A source file: banner, begin, declarations of external functions, open, tables, integer functions, hide helper,
 // functions, end.
 struct FileSyntax {
   std::string_view extension = {}; // ".c"
-  std::string_view kept_when = {}; // $pow: ends the promise of the modes strict and finite
-  std::string_view pow_flag = {};  // $pow, of a kernel with powers
-  std::string_view fast_when = {}; // ends that of mode fast
-  Part whole = nullptr;            // all of it: functions are not printed as statements
+  std::string_view kept_when = {}; // $pow: end of the promise of modes strict and finite
+  std::string_view pow_flag = {};  // $pow for a kernel with powers
+  std::string_view fast_when = {}; // end of the promise of mode fast
+  Part whole = nullptr;            // prints the whole file, without statements
   Part begin = nullptr, open = nullptr;
-  Part integer_functions = nullptr; // those that the functions call; nothing where there are no such integers
+  Part integer_functions = nullptr; // those that the functions call; empty if unused
   std::string_view hide_helper = {};
-  std::span<Helper const> helpers = {}; // each is written where something that is printed names it
+  std::span<Helper const> helpers = {}; // written if the printed text names them
   Part end = nullptr;
   std::span<Companion const> companions = {};
 };
@@ -206,14 +204,14 @@ struct FileSyntax {
 struct Language {
   std::string_view name = {}, doc = {}; // its row in languages.def
   NameRules names;
-  bool has_namespace = false; // the prefix names one; otherwise it begins the names of functions
+  bool has_namespace = false; // whether the prefix is a namespace; else it is prepended to function names
   CommentSyntax comment;
   LineLimits lines;
   NumberSyntax numbers;
   TypeSyntax number, truth, wide;
   SingleSyntax single;
   std::span<Word const> words = {};
-  bool is_single = false; // numbers are those of `single`
+  bool is_single = false; // whether numbers are those of `single`
   ExpressionSyntax expressions;
   StatementSyntax statements;
   FunctionSyntax functions;
@@ -226,30 +224,30 @@ struct Language {
   FileSyntax files;
   ModuleSyntax module;
   StringSyntax strings;
-  std::span<Op const> lacks = {}; // what it cannot compute
-  bool has_blocks = true;         // otherwise both arms of a select are computed
+  std::span<Op const> lacks = {}; // operations that it cannot compute
+  bool has_blocks = true;         // false: both arms of a select are computed
 };
 
-// The language with numbers of single precision, which it must have.
+// The language with numbers of single precision, which it must support.
 Language in_single_precision(Language language);
 
-// What stands at the places that all patterns of the language have.
+// Values of the placeholders that all patterns of the language have.
 std::vector<std::pair<std::string_view, std::string_view>> words_of(Language const &language);
-// A pattern with these and its own places filled; or with these alone, and the others left as they are.
+// A pattern filled with these words and its own values; or with the words alone, leaving other placeholders.
 std::string fill(Language const &language, std::string_view pattern,
                  std::initializer_list<std::pair<std::string_view, std::string_view>> values);
 std::string with_words(Language const &language, std::string_view pattern);
 
-// A number in the language; in single precision the nearest one there.
+// A literal of the number; in single precision of the nearest float.
 std::string constant(Language const &language, double value);
 
-// Lines as one comment, without a newline behind it. `closed_apart`: what closes it stands on a line of its own.
+// Lines as one comment, without a final newline. `closed_apart`: whether the closing mark has a line of its own.
 std::string comment(Language const &language, std::vector<std::string> const &lines, bool closed_apart = false);
 
-// Text as a literal in one line, but for the joints of a long one.
+// Text as a one-line string literal, except for the joints of a long one.
 std::string literal(Language const &language, std::string_view text);
 
-// "a[3]", counted from 0 here.
+// Element such as "a[3]"; `index` counts from 0.
 std::string element(Language const &language, std::string_view array, std::size_t index);
 
 } // namespace symreal

@@ -1,4 +1,4 @@
-// Patterns of text in the tables of languages: "$type $name = $value;" with the places filled.
+// Patterns: text with placeholders in the language tables, such as "$type $name = $value;".
 #pragma once
 
 #include "engine/diagnostics/diagnostic.h"
@@ -14,7 +14,7 @@
 
 namespace symreal {
 
-// The pattern with each $name replaced by what `find` gives for it, an optional text; without one it is a fault of the
+// The pattern with each $name replaced by the text that `find` returns for it; nullopt from `find` is a fault of the
 // table.
 template <class Find> std::string fill_places(std::string_view pattern, Find const &find) {
   auto const is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; };
@@ -39,7 +39,7 @@ template <class Find> std::string fill_places(std::string_view pattern, Find con
   }
 }
 
-// Among pairs of name and value.
+// Value for the name in a list of pairs; nullopt if absent.
 inline std::optional<std::string_view> find_place(std::span<std::pair<std::string_view, std::string_view> const> values,
                                                   std::string_view name) {
   for (auto const &[given, value] : values)
@@ -55,7 +55,7 @@ inline std::string fill(std::string_view pattern,
   return fill(pattern, std::span(values.begin(), values.size()));
 }
 
-// Values that are kept, in the three cases of names: name, Name, NAME.
+// A reusable set of values, whose names have three cases: name, Name, NAME.
 class Filling {
 public:
   Filling &set(std::string const &name, std::string value) {
@@ -63,7 +63,7 @@ public:
     return *this;
   }
   Filling &set(std::string const &name, std::size_t value) { return set(name, std::to_string(value)); }
-  // `joins`: a_name becomes AName, otherwise A_name.
+  // `joins`: whether a_name becomes AName instead of A_name.
   Filling &set_name(std::string const &name, std::string const &value, bool joins = true);
   std::string operator()(std::string_view pattern) const;
 

@@ -6,7 +6,7 @@ namespace symreal {
 
 PreparedPattern::PreparedPattern(Language const &language, std::string_view pattern,
                                  std::initializer_list<std::string_view> names) {
-  // Filled in with characters that no pattern has, to be cut there.
+  // Fills the placeholders with characters that patterns never contain, to split the text there.
   constexpr std::string_view marks("\0\1\2\3", 4);
   internal_check(names.size() <= marks.size());
   std::string const text = fill_places(with_words(language, pattern), [&](std::string_view name) {

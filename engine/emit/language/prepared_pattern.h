@@ -1,4 +1,4 @@
-// A pattern that is filled in again and again.
+// Prepared patterns, for repeated filling.
 #pragma once
 
 #include "engine/emit/language/language.h"
@@ -10,18 +10,18 @@
 
 namespace symreal {
 
-// Taken apart once, with the words of the language in their places.
+// A pattern parsed once, with the language's words filled in.
 class PreparedPattern {
 public:
-  // `names`: of its other places.
+  // `names`: the remaining placeholders.
   PreparedPattern(Language const &language, std::string_view pattern, std::initializer_list<std::string_view> names);
 
   bool empty() const { return pieces_.empty(); }
-  // `values`: in the order of the names.
+  // `values`: in the order of `names`.
   void append_to(std::string &text, std::initializer_list<std::string_view> values) const;
 
 private:
-  // Text, and behind it a value.
+  // Text, followed by a value.
   struct Piece {
     std::string text;
     std::size_t value;

@@ -14,7 +14,7 @@ std::string portable_place(Place place) {
   return to_string(place);
 }
 
-// How many bytes the character of UTF-8 at the beginning has; 0 where none begins there.
+// Length in bytes of the UTF-8 character at the beginning; 0 if the text does not begin with a valid one.
 static std::size_t length_of_character(std::string_view text) {
   auto const byte = [&](std::size_t at) { return at < text.size() ? static_cast<unsigned char>(text[at]) : 0U; };
   unsigned const first = byte(0);

@@ -54,7 +54,7 @@ Language language_c() {
       .status = "int",
       .input = "$real const *$name",
       .output = "$real *$name",
-      // Of parts: a store to their array changes no input, so compilers read each once and pair its sin and cos.
+      // In parts, restrict says that stores change no input, so compilers read each once and pair its sin and cos.
       .local_output = "$real *restrict $name",
       .unused = "(void)$name;",
       .success = "return 0;",

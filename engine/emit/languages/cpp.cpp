@@ -5,14 +5,14 @@ namespace symreal {
 
 static constexpr Companion beside[] = {{".hpp", cpp_header}, {"_main.cpp", cpp_mainline, "mainline"}};
 
-// As C, but for the names of the library, the namespace, and what stands around the functions.
+// C++ as C, except for library names, the namespace, and the code around functions.
 Language language_cpp() {
   Language cpp = language_c();
   cpp.has_namespace = true;
   cpp.expressions.call_prefix = "std::";
   cpp.single.call_suffix = ""; // they are overloaded
   cpp.statements.value_check = "if (!std::isfinite($name)) report_value($name, \"$text\");";
-  cpp.functions.local_output = "$real *__restrict $name"; // no standard C++, but every compiler has it
+  cpp.functions.local_output = "$real *__restrict $name"; // nonstandard, but supported by every compiler
   cpp.vectors.build = "${real}_$width{$values}";
   cpp.externals.declarations = cpp_external_declarations;
   cpp.files.extension = ".cpp";

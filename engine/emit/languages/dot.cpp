@@ -41,7 +41,7 @@ public:
 private:
   std::string quoted(std::string const &text) const { return literal(emission_.language, text); }
 
-  // One that nothing needs is dashed.
+  // Nodes of inputs or parameters; unused ones are dashed.
   std::string leaves(Op op, std::vector<std::string> const &names) const {
     std::string text;
     std::vector<char> is_drawn(names.size(), 0);
@@ -57,7 +57,7 @@ private:
     return text;
   }
 
-  // A constant is drawn where it is used.
+  // Constants are drawn once per use.
   std::string edge(NodeId from, std::string const &to) {
     if (!graph_.nodes[from].is_constant()) return fmt::format("  n{} -> {};\n", from, to);
     ++constants_;
@@ -91,7 +91,7 @@ private:
 
 } // namespace
 
-// It draws the graph itself. What stands in for what it does not print says that it has everything.
+// DOT draws the graph itself; placeholder patterns mark the features that it does not print as supported.
 Language language_dot() {
   Language dot;
   dot.comment = {"// ", "// ", ""};

@@ -13,7 +13,7 @@ static constexpr auto keywords = std::to_array<std::string_view>(
      "select", "stop", "subroutine", "then",    "type",   "use",       "while"});
 static_assert(std::ranges::is_sorted(keywords));
 
-// The functions of C's library are called by their names there; what follows is what Fortran itself has.
+// Functions of C's library are called by name; these operations are Fortran's own.
 static constexpr OperationSpelling spellings[] = {
     {Op::neg, "-$x:14", 11},
     {Op::abs, "abs($x)"},
@@ -319,7 +319,7 @@ static constexpr BridgeInteger integers[] = {
     {"signed char", "c_signed_char"},
     {"unsigned int", "c_int", "int(int($value, c_long_long), $type)",
      "real(iand(int($value, c_long_long), 4294967295_c_long_long), c_double)"},
-    // What is beyond a signed one of 64 bits is beyond the integers that a number holds.
+    // Values beyond a signed 64-bit integer are beyond the integers that a number holds anyway.
     {"unsigned long", "c_long"},
     {"unsigned long long", "c_long_long"},
     {"unsigned short", "c_short", "int(int($value, c_long_long), $type)",
@@ -329,7 +329,7 @@ static constexpr BridgeInteger integers[] = {
     {"_Bool", "c_signed_char", "merge(1_c_signed_char, 0_c_signed_char, $value /= 0)"},
 };
 
-// Structures go by value. A part of an array without a stride is handed on as it is.
+// Structures are passed by value, contiguous array sections without a copy.
 static constexpr BridgeSyntax bridge = {
     .integers = integers,
     .to_integer = "int($value, $type)",
@@ -385,7 +385,7 @@ Language language_fortran() {
                      .negative_infinity = "(-infinity)",
                      .exponent = "d",
                      .suffix = "d0",
-                     .sign_binding = 11}; // no sign stands behind an operator
+                     .sign_binding = 11}; // a sign may not follow an operator
   fortran.number = {"real(c_double)", "0.0d0"};
   fortran.single = {.number = {"real(c_float)", "0.0"},
                     .numbers = {.nan = "not_a_number",

@@ -14,7 +14,7 @@ static constexpr auto keywords = std::to_array<std::string_view>(
      "string", "struct", "switch",      "true",  "type",    "uint32",    "uint64",   "unsafe",  "var"});
 static_assert(std::ranges::is_sorted(keywords));
 
-// A product is rounded where its conversion says so: otherwise Go may fuse it with a sum.
+// An explicit conversion rounds a product: otherwise Go may fuse it with a sum.
 static constexpr OperationSpelling spellings[] = {
     {Op::mul, "float64($x:13 * $y:14)"},
     {Op::abs, "math.Abs($x)"},

@@ -322,15 +322,15 @@ Language language_java() {
       .call = "$group.$name($arguments);",
       .checked_call = "failed = $group.$name($arguments);\nif (failed != 0) return failed;",
       .parts_store = true,
-      .most_statements = 80,                               // HotSpot compiles no method of more than 8000 bytes
-      .group_begin = "private static final class $name {", // a class has room for 65535 constants
+      .most_statements = 80,                               // HotSpot compiles methods of at most 8000 bytes
+      .group_begin = "private static final class $name {", // a class may have 65535 constants
       .group_end = "}",
       .group_size = 25,
   };
   java.tables = {
       .begin = "private static final class Values_of_$name {\n  static final $real[] values = {",
       .end = "};\n}\nprivate static final $real[] $name = Values_of_$name.values;",
-      .most_values = 4000, // a method has room for 64 KB
+      .most_values = 4000, // a method may have 64 KB
       .joined = "private static final $real[] $name = joined($parts);\n",
   };
   java.files = {
@@ -348,7 +348,7 @@ Language language_java() {
       .size = "  public static final int $NAME = $value;\n",
       .index_list = "  private static final class Indices_of_$name {\n    static final int[] values = {$values};\n  }\n"
                     "  public static final int[] $NAME = Indices_of_$name.values;\n",
-      .most_indices = 4000, // a method has room for 64 KB
+      .most_indices = 4000, // a method may have 64 KB
       .index_part = "  private static final class Indices_of_$part {\n    static final int[] values = {$values};\n  }\n"
                     "  private static final int[] $part = Indices_of_$part.values;\n",
       .joined_indices = "  public static final int[] $NAME = java.util.stream.Stream.of($parts)\n"

@@ -14,7 +14,7 @@ static constexpr auto keywords = std::to_array<std::string_view>(
      "module", "quote",   "return",     "struct", "true",   "try",   "using",   "where",    "while"});
 static_assert(std::ranges::is_sorted(keywords));
 
-// The functions of C's library are called; what follows is what Julia itself has.
+// Functions of C's library are called by name; these operations are Julia's own.
 static constexpr OperationSpelling spellings[] = {
     {Op::abs, "abs($x)"},
     {Op::floor, "floor($x)"},
@@ -164,7 +164,7 @@ Language language_julia() {
   julia.names = {.keywords = keywords};
   julia.has_namespace = true;
   julia.comment = {"# ", "# ", ""};
-  julia.lines = {.width = 1000000, .step = 4}; // a line ends where it could
+  julia.lines = {.width = 1000000, .step = 4}; // a line ends wherever an expression could
   julia.numbers = {"NaN", "NaN", "Inf", "-Inf"};
   julia.number = {"", "0.0"};
   julia.truth = {"", "false"};

@@ -8,14 +8,14 @@
 
 namespace symreal {
 
-// A table for each row of languages.def.
+// One function per row of languages.def, which returns the language's table.
 #define LANGUAGE(name, doc) Language language_##name();
 #include "engine/emit/languages/languages.def"
 #undef LANGUAGE
 
-// All of them, in the order of their rows.
+// All languages, in the order of their rows.
 std::span<Language const> languages();
-// The one of this name, or null.
+// The language of this name, or null.
 Language const *find_language(std::string_view name);
 
 } // namespace symreal

@@ -12,7 +12,7 @@ static constexpr auto greek = std::to_array<std::string_view>(
      "phi",   "pi",    "psi",    "rho",     "sigma", "tau",   "theta", "upsilon", "xi",     "zeta"});
 static_assert(std::ranges::is_sorted(greek));
 
-// theta$2 is a theta with the index 2, and t12 a t with 12.
+// theta$2 becomes a theta with the index 2, and t12 a t with 12.
 static std::string variable(std::string const &name) {
   std::size_t const end = name.find_last_not_of("0123456789") + 1;
   std::string const index = name.substr(end);

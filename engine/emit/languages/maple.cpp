@@ -16,7 +16,7 @@ static constexpr auto keywords = std::to_array<std::string_view>(
      "use",     "uses", "while",    "xor"});
 static_assert(std::ranges::is_sorted(keywords));
 
-// Procedures have the option hfloat: numbers are those of the hardware. A sign stands first or in parentheses.
+// Procedures have the option hfloat: numbers are hardware floats. A sign must come first or be in parentheses.
 static constexpr OperationSpelling spellings[] = {
     {Op::neg, "-$x:14", 11},
     {Op::abs, "abs($x)"},
@@ -77,7 +77,7 @@ static constexpr OperationSpelling spellings[] = {
     {Op::select, "`if`($x, $y, $z)"},
 };
 
-// A product that is rounded once would need more digits than the hardware's.
+// A product that is rounded once would need more digits than hardware floats have.
 static constexpr Op lacks[] = {Op::fma};
 
 static constexpr Helper helpers[] = {

@@ -6,14 +6,14 @@
 
 namespace symreal {
 
-// Names begin with small letters, so those of the system are not among them.
+// Names begin with small letters, which excludes those of the system.
 static constexpr auto keywords =
     std::to_array<std::string_view>({"exact", "exponent", "failedGuard", "guard", "inputAt", "outputAt", "pack",
                                      "parameterAt", "real", "return", "shape", "unpack"});
 static_assert(std::ranges::is_sorted(keywords));
 
-// Numbers of nearly the same value are equal to Mathematica's comparisons, but none is to 0. What is no real number is
-// Indeterminate, conditions on which hold for nothing.
+// Mathematica's comparisons treat nearly equal numbers as equal, except with 0. Results that are not real numbers are
+// Indeterminate, for which every condition fails.
 static constexpr OperationSpelling spellings[] = {
     {Op::abs, "Abs[$x]"},
     {Op::sqrt, "real[Sqrt[$x]]"},

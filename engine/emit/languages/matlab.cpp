@@ -13,8 +13,8 @@ static constexpr auto keywords = std::to_array<std::string_view>(
      "true",   "try",    "typecast", "uint64",      "until",  "unwind_protect", "while",    "zeros"});
 static_assert(std::ranges::is_sorted(keywords));
 
-// Functions of MATLAB that leave the real numbers have a helper that gives NaN; uint64 saturates, so that its sums and
-// products are made of halves.
+// MATLAB functions with complex results have a helper that returns NaN instead; uint64 saturates, so its sums and
+// products are built from halves.
 static constexpr OperationSpelling spellings[] = {
     {Op::abs, "abs($x)"},
     {Op::sqrt, "real_sqrt($x)"},

@@ -14,7 +14,7 @@ static constexpr auto keywords = std::to_array<std::string_view>(
      "lambda",  "len",      "list",   "math",   "nan",  "ndarray", "nonlocal", "not",     "numpy", "or",
      "pass",    "raise",    "return", "try",    "type", "uint64",  "where",    "while",   "with",  "yield"});
 
-// Numbers are NumPy's, one or an array of them, so that division by 0 gives an infinity and conditions select.
+// Numbers are NumPy scalars or arrays, so that division by 0 gives an infinity and conditions select.
 static constexpr OperationSpelling spellings[] = {
     {Op::abs, "abs($x)"},
     {Op::f32, "float64(float32($x))"},
@@ -264,7 +264,7 @@ static constexpr BridgeInteger integers[] = {
     {"_Bool", "bool"},
 };
 
-// Calls take one sample after the other, in the order of the program.
+// Calls process one sample after the other, in program order.
 static constexpr BridgeSyntax bridge = {
     .integers = integers,
     .to_integer = "int($value)",

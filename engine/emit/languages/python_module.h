@@ -1,11 +1,11 @@
-// What a generated Python module and a Python package have alike: patterns as in language/module.h.
+// Patterns shared by generated Python modules and Python packages (syntax: language/module.h).
 #pragma once
 
 #include <string_view>
 
 namespace symreal {
 
-// The parts of Input, Output and compute that are about arrays.
+// The parts of Input, Output and compute for arrays.
 inline constexpr std::string_view python_arrays = R"(
 
 def _is_masked(values):
@@ -69,7 +69,7 @@ def _checked(numbers, count, name):
 
 )";
 
-// The heads of the two functions.
+// Heads of the two functions.
 inline constexpr std::string_view python_preprocess = R"(
 def $preprocess(parameters=()):
     """The constants of compute, for parameters whose last axis has $parameters numbers. Once, and again whenever a

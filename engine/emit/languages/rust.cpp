@@ -13,8 +13,8 @@ static constexpr auto keywords = std::to_array<std::string_view>(
      "struct",   "super",    "trait",    "true",    "try",   "type",   "typeof", "u64",   "union",  "unsafe",
      "unsized",  "use",      "usize",    "virtual", "where", "while",  "yield"});
 
-// What a processor has is a method; the rest is called from C's library. Casts of a number are those of C within the
-// range of the type.
+// Operations with processor instructions are methods; the others are called from C's library. Casts of numbers agree
+// with C's within the range of the type.
 static constexpr OperationSpelling spellings[] = {
     {Op::abs, "$real::abs($x)"},
     {Op::sqrt, "$real::sqrt($x)"},

@@ -16,7 +16,7 @@ std::vector<LocationId> locations_of(Graph const &graph, std::vector<NodeId> con
 
 static std::string in_words(Location const &location) {
   std::string text;
-  // The frames further in come first: that is where the operation stands.
+  // The innermost frames come first: they contain the operation.
   for (std::size_t i = location.places.size(); i-- > 0;) {
     Place const &place = location.places[i];
     std::string const name = place.file.substr(place.file.rfind('/') + 1) + ":" + std::to_string(place.line);
@@ -34,7 +34,7 @@ std::string describe_locations(Graph const &graph, std::vector<LocationId> const
       words.push_back(std::move(text));
   std::string list;
   for (std::string const &word : words) list += (list.empty() ? "" : ", ") + word;
-  // A file's name is the user's: it must not end the comment.
+  // A file name is the user's text: it must not end the comment.
   for (std::size_t end; (end = list.find("*/")) != std::string::npos;) list.replace(end, 2, "* ");
   return list;
 }

@@ -50,7 +50,7 @@ private:
                             {"cosine", from(std::string(name_of(Array::cosine)), first)}}));
   }
 
-  // The part of `input`, or an array of what stands apart there.
+  // A subarray of `input` if the angles are contiguous, else a local array of them.
   std::string inputs() {
     std::vector<std::uint32_t> const &slots = angles_.inputs;
     if (slots.back() - slots.front() + 1 == slots.size()) return from(input_, slots.front());

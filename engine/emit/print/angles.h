@@ -1,4 +1,4 @@
-// The sines and cosines that function compute begins with.
+// Printing of the sines and cosines at the start of compute.
 #pragma once
 
 #include "engine/emit/print/code_text.h"
@@ -6,12 +6,12 @@
 
 namespace symreal {
 
-// The array of angles that are computed, and the function that fills it.
+// Array of computed angles, and the function that fills it.
 inline constexpr char const *computed_angles = "computed_angle";
 std::string angles_function(Emission const &emission);
 
-// Nothing where there are none. Reads array `input`, for angles that are computed also `constants`, and declares and
-// fills arrays `sine` and `cosine`.
+// Declares and fills arrays `sine` and `cosine`, if there are angles. Reads array `input`, and for computed angles also
+// `constants`.
 void print_angles(Emission const &emission, CodeText &out);
 
 } // namespace symreal

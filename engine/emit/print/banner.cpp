@@ -12,7 +12,7 @@ static bool calls_pow(Graph const &graph) {
   return std::any_of(graph.nodes.begin(), graph.nodes.end(), [](Node const &node) { return node.op == Op::pow; });
 }
 
-// What is promised of doubles does not hold of other numbers.
+// Promises for doubles do not extend to other types.
 static std::string promise_in_single(FloatingPoint mode) {
   return "Single precision: rounding differs from that of the original, which computes with more digits.\n"
          "The identities of mode " +
@@ -39,7 +39,7 @@ static std::string promise(Emission const &emission) {
   return "";
 }
 
-// A label is the user's text; a comment must not end in it.
+// A label is the user's text: slashes are escaped, so that it cannot end the comment.
 static std::string json_string(std::string const &text) {
   std::string result = "\"";
   for (char c : text) {

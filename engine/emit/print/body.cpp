@@ -66,7 +66,7 @@ bool BodyPrinter::statements(std::size_t chunk, CodeText &out, std::size_t inden
   for (std::size_t k = chunks_.begin[chunk]; k < chunks_.begin[chunk + 1]; ++k) {
     NodeId const id = body_.variables[k];
     context_.variable[id] = static_cast<std::uint32_t>(k);
-    if (is_call(k)) context_.kept[id] = chunks_.spill_slot[id]; // its results go there at once
+    if (is_call(k)) context_.kept[id] = chunks_.spill_slot[id]; // its results are stored there at once
   }
   for (Step const &step : blocks(emission_.plan, body_, is_compute_, chunks_, chunk)) {
     if (step.kind == Step::Kind::close || step.kind == Step::Kind::otherwise) indent -= 2;
@@ -78,7 +78,7 @@ bool BodyPrinter::statements(std::size_t chunk, CodeText &out, std::size_t inden
   if (chunk == chunks_.stores.first_chunk) context_.copied = chunks_.copy_slot;
   for (std::size_t k = chunks_.begin[chunk]; k < chunks_.begin[chunk + 1]; ++k) {
     NodeId const id = body_.variables[k];
-    context_.variable[id] = no_slot; // what this chunk has in a variable, later ones find in v
+    context_.variable[id] = no_slot; // later chunks read a variable of this chunk from v
     context_.kept[id] = chunks_.spill_slot[id];
   }
   return checks;
@@ -149,7 +149,7 @@ void BodyPrinter::set(std::size_t statement, bool declares, std::size_t indent, 
   if (emission_.options.check_values && type(statement) == Type::number) check_value(statement, indent, out);
 }
 
-// The debug variant: the first value of a call that is not finite is reported with its source line.
+// Debug variant: reports the first NaN or infinity of a call with its source line.
 void BodyPrinter::check_value(std::size_t statement, std::size_t indent, CodeText &out) const {
   Graph const &graph = emission_.graph();
   NodeId const id = body_.variables[statement];
@@ -164,7 +164,7 @@ void BodyPrinter::check_value(std::size_t statement, std::size_t indent, CodeTex
             fill(language_, language_.statements.value_check, {{"name", name}, {"text", escaped(text)}}) + "\n");
 }
 
-// A call, with an array for its results: its own, or where later chunks find them.
+// Prints a call, with an array for its results: a local one, or v, where later chunks read them.
 void BodyPrinter::print_call(Step const &step, std::size_t indent, CodeText &out) {
   if (step.kind == Step::Kind::keep) return;
   StatementSyntax const &syntax = language_.statements;
@@ -225,7 +225,7 @@ void BodyPrinter::results(std::size_t group, CodeText &out) {
     store_result(behind[k], 2, out);
 }
 
-// Where no text lists them, they are not kept.
+// Keeps the names only for languages that list them.
 void BodyPrinter::note_variable(std::string const &name) {
   FunctionSyntax const &syntax = language_.functions;
   if (!syntax.locals.empty() || !syntax.no_locals.empty()) variables_.push_back(name);

@@ -1,4 +1,4 @@
-// The statements of one function, chunk by chunk.
+// Printing of the statements of one function, chunk by chunk.
 #pragma once
 
 #include "engine/emit/print/code_text.h"
@@ -12,38 +12,38 @@ namespace symreal {
 
 class BodyPrinter {
 public:
-  // `target`: the array that takes the results.
+  // `target`: array for the results.
   BodyPrinter(Emission &emission, FunctionBody const &body, bool is_compute, std::string_view target);
 
   std::size_t chunk_count() const { return chunks_.size(); }
   std::size_t spill_count() const { return chunks_.spill_count; }
-  std::vector<std::size_t> const &parts() const { return chunks_.part; } // per chunk; none: one thread computes all
+  std::vector<std::size_t> const &parts() const { return chunks_.part; } // per chunk; empty: one thread computes all
 
-  // What the outermost function begins with.
+  // Prints the first lines of the outermost function.
   void begin(CodeText &out) const;
-  // The chunks in order. Whether one of its statements may return the number of a guard.
+  // Prints a chunk; chunks must be printed in order. Returns whether a statement may return the number of a guard.
   bool statements(std::size_t chunk, CodeText &out, std::size_t indent = 2);
-  // The guards of a body of parts, after the last chunk.
+  // Prints the guards of a body of parts, after the last chunk.
   void checks(CodeText &out);
-  // Stores the results that no chunk stores: so many groups of them, which stand behind the last chunk.
+  // Number of groups of results that no chunk stores; they follow the last chunk.
   std::size_t result_groups() const;
   void results(std::size_t group, CodeText &out);
 
-  // How the inputs are spelled, where they are no elements of `input`, and which compilers may know to be constant.
+  // Spellings of inputs that are not elements of `input`, and whether compilers may find each input constant.
   void spell_inputs(std::vector<std::string> leaves, std::vector<char> const &constant);
-  // Is called before each statement, while statements() prints.
+  // Sets a callback that statements() calls before each statement.
   void set_before(std::function<void(std::size_t, CodeText &)> print) { before_ = std::move(print); }
-  // A node, once the statements are printed.
+  // Spelling of a node after its statement is printed.
   std::string use(NodeId node) { return print_use(context_, node); }
 
-  // The arrays that the text has named since this was asked.
+  // Arrays that the text has named since the last call of take_arrays.
   ArrayNames const &arrays() const { return context_.arrays; }
   ArrayNames take_arrays() { return std::exchange(context_.arrays, {}); }
   void note_array(std::string_view array) { context_.arrays.insert(array); }
-  // The declarations since this was asked, where they stand before the first statement.
+  // Declarations since the last call, for languages that require them before the first statement.
   CodeText take_declarations() { return std::exchange(declarations_, CodeText(language_)); }
 
-  // The variables since this was asked.
+  // Variables since the last call.
   std::vector<std::string> take_variables() { return std::exchange(variables_, {}); }
 
 private:
@@ -58,7 +58,7 @@ private:
   void check_value(std::size_t statement, std::size_t indent, CodeText &out) const;
   void print_call(Step const &step, std::size_t indent, CodeText &out);
   void store_result(std::size_t result, std::size_t indent, CodeText &out);
-  // What stores a value in an element: `value_` takes it between the two.
+  // Begin and end of the store of a value in an element: `value_` takes the value between the two.
   void begin_store(std::string_view array, std::size_t index);
   void end_store(NodeId id, std::size_t indent, CodeText &out);
   void note_variable(std::string const &name);
@@ -72,7 +72,7 @@ private:
   Chunks chunks_;
   FunctionContext context_;
   PreparedPattern constant_, set_;
-  std::string name_, value_, line_; // of the statement that is printed
+  std::string name_, value_, line_; // of the current statement
   CodeText declarations_;
   std::vector<std::string> variables_;
   std::function<void(std::size_t, CodeText &)> before_ = nullptr;

@@ -1,4 +1,4 @@
-// The names of bridges (language/bridge.h).
+// Names of bridges (language/bridge.h).
 #pragma once
 
 #include "engine/emit/language/language.h"
@@ -8,7 +8,7 @@
 
 namespace symreal {
 
-// By function of the graph; none where the language has no bridges.
+// One name per function of the graph; empty if the language has no bridges.
 std::vector<std::string> bridge_names(Graph const &graph, Language const &language);
 
 } // namespace symreal

@@ -17,7 +17,7 @@ std::vector<std::string> bridge_names(Graph const &graph, Language const &langua
   std::vector<std::string> names;
   std::set<std::string> given;
   for (External const &external : graph.externals) {
-    std::string const base = rules.spelled("call_" + external.name.substr(0, 50)); // Fortran's names have 63 characters
+    std::string const base = rules.spelled("call_" + external.name.substr(0, 50)); // Fortran's limit: 63 characters
     std::string name = base;
     for (int k = 2; !given.insert(rules.key(name)).second; ++k) name = base + "_" + std::to_string(k);
     names.push_back(name);
@@ -33,7 +33,7 @@ BridgeInteger const *find_integer(BridgeSyntax const &syntax, std::string_view c
 
 namespace {
 
-// How many doubles there are in the structs that a function takes and returns.
+// Adds the number of doubles in each struct that the function takes or returns.
 void add_structures(External const &external, std::set<std::size_t> &counts) {
   auto const add = [&](ExternalValue const &value) {
     if (value.kind == Kind::object) counts.insert(value.count);
@@ -102,7 +102,7 @@ private:
 
   BridgeInteger const &integer(ExternalValue const &value) const {
     BridgeInteger const *const found = find_integer(syntax_, value.type);
-    internal_check(found != nullptr); // require_expressible has looked
+    internal_check(found != nullptr); // require_expressible has checked it
     return *found;
   }
 
@@ -164,7 +164,7 @@ bool has_bridges(Emission const &emission) {
   return emission.language.externals.bridge.is_given() && !emission.uses.externals.empty();
 }
 
-// Lines that are too long, broken.
+// Breaks the lines that are too long.
 std::string laid_out(Language const &language, std::string_view text) {
   CodeText lines(language);
   while (!text.empty()) {

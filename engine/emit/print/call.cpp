@@ -17,7 +17,7 @@ CallStatement::CallStatement(FunctionContext &context, std::size_t statement)
       is_wanted_(context.body.wanted_returns.contains(call_)) {}
 
 bool CallStatement::has_array() const {
-  if (context_.emission.language.externals.bridge.is_given()) return !is_kept(); // a bridge stores all
+  if (context_.emission.language.externals.bridge.is_given()) return !is_kept(); // a bridge stores all results
   return !is_kept() && function_.result_count() > (is_wanted_ ? 0 : function_.returned_count());
 }
 
@@ -30,7 +30,7 @@ std::vector<std::string> CallStatement::print() const {
   bool const is_folded = !context_.constant_paths.empty() && find_complex_function(function_);
   NodeId const hidden = is_folded ? hidden_argument(graph, context_.constant_paths, values) : no_node;
   Language const &language = context_.emission.language;
-  bool const has_bridge = language.externals.bridge.is_given(); // which takes numbers alone
+  bool const has_bridge = language.externals.bridge.is_given(); // bridges take numbers only
   ExternalCall call{function_, std::to_string(statement_),           {},
                     array(),   is_kept() ? context_.kept[call_] : 0, is_wanted_};
   for (NodeId value : values) {

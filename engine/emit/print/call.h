@@ -1,4 +1,4 @@
-// The call of an external function as statements.
+// Statements for the call of an external function.
 #pragma once
 
 #include "engine/emit/print/expression.h"
@@ -10,8 +10,7 @@ public:
   CallStatement(FunctionContext &context, std::size_t statement);
 
   External const &function() const { return function_; }
-  // The array that takes the results: v where later chunks read them, else one of the call's own, unless nobody reads
-  // any.
+  // Array for the results: `v` if a later chunk reads them, else a local one; omitted if no result is read.
   std::string array() const { return is_kept() ? "v" : "r" + std::to_string(statement_); }
   bool has_array() const;
 
@@ -23,9 +22,9 @@ private:
   FunctionContext &context_;
   std::size_t statement_;
   NodeId call_;
-  std::size_t number_; // of the function
+  std::size_t number_; // number of the function in the graph
   External const &function_;
-  bool is_wanted_; // somebody reads the returned value
+  bool is_wanted_; // the returned value is read
 };
 
 } // namespace symreal

@@ -31,7 +31,7 @@ void CodeText::statement(std::size_t indent, std::string_view text, Origin origi
   }
   text_.append(text);
   if (!origin.comment.empty()) {
-    // Behind the statement where as much as the numbers of its locations has room there, else on a line of its own.
+    // A comment follows its statement if at least the numbers of its locations fit, else on a line of its own.
     std::size_t const room = fmt::format(" /*@{}*/", fmt::join(origin.locations, ",")).size();
     if (indent + text.size() + room > width) end_line();
     text_ += " " + symreal::comment(*language_, {origin.comment});
@@ -48,7 +48,7 @@ void CodeText::lines(std::string_view text) {
 void CodeText::append(CodeText &&other) {
   for (LineOrigin &origin : other.origins_)
     origins_.push_back({origin.first_line + line_ - 1, origin.last_line + line_ - 1, std::move(origin.locations)});
-  if (other.text_.size() > text_.size()) { // the longer one need not move to another place
+  if (other.text_.size() > text_.size()) { // avoids moving the longer text
     other.text_.insert(0, text_);
     std::swap(text_, other.text_);
   } else {

@@ -1,4 +1,4 @@
-// Generated lines, with the source places of their statements.
+// Generated lines, with the source locations of their statements.
 #pragma once
 
 #include "engine/emit/language/emitted.h"
@@ -10,7 +10,7 @@
 
 namespace symreal {
 
-// Where a statement comes from, and what its comment says of that; empty: no comment.
+// Source locations of a statement, and its comment on them; without a comment if empty.
 struct Origin {
   std::vector<LocationId> locations;
   std::string comment;
@@ -20,13 +20,13 @@ class CodeText {
 public:
   explicit CodeText(Language const &language) : language_(&language) {}
 
-  // A statement, broken at blanks so that lines stay readable; it has no string literals. Nothing, if it is empty.
-  // `indent`: 2 for each block around it.
+  // Prints a statement, broken at blanks to keep lines readable; it must not have string literals. An empty one prints
+  // nothing. `indent`: 2 per enclosing block.
   void statement(std::size_t indent, std::string_view text, Origin origin = {});
-  // Whole lines as they are, each with its newline.
+  // Prints whole lines unchanged, each with its newline.
   void lines(std::string_view text);
   void append(CodeText &&other);
-  // So many characters will follow; memory that is not written costs nothing.
+  // Reserves memory for this many characters; pages that are not written cost nothing.
   void reserve(std::size_t characters) { text_.reserve(text_.size() + characters); }
   std::size_t size() const { return text_.size(); }
 
@@ -38,7 +38,7 @@ private:
 
   Language const *language_;
   std::string text_;
-  std::size_t line_ = 1; // that is written next
+  std::size_t line_ = 1; // number of the next line
   std::vector<LineOrigin> origins_;
 };
 

@@ -10,12 +10,12 @@ namespace {
 
 std::span<NodeId const> operands(Node const &node) { return {node.operand.data(), arity(node.op)}; }
 
-// The function may be evaluated by a compiler, with other bits than the library's.
+// Whether a compiler may evaluate the function, with results that differ from the library's.
 bool may_be_folded(Op op) {
   return !is_leaf(op) && info(op).form == Form::call && !info(op).has(flag::ROUNDED | flag::QUIET | flag::OPAQUE);
 }
 
-// Compared with a constant a node is that constant where it is equal to it, or neither less nor greater.
+// Marks nodes compared with a constant, for equality or twice by order: on some path the node is constant.
 void add_compared(Graph const &graph, std::vector<char> &found) {
   std::map<std::pair<NodeId, NodeId>, int> ordered;
   for (Node const &node : graph.nodes) {
@@ -43,7 +43,7 @@ std::vector<char> constant_on_a_path(Graph const &graph, std::vector<char> const
       found[id] |= may_be(node.operand[1]) || may_be(node.operand[2]);
     else if (operation.has(flag::BOOLEAN) || operation.form == Form::local) // these have a few values, or branches
       found[id] = 1;
-    else if (!operation.has(flag::STRUCTURE) && !may_be_folded(node.op)) // of those the operand is hidden
+    else if (!operation.has(flag::STRUCTURE) && !may_be_folded(node.op)) // their operands are hidden
       found[id] |= std::ranges::all_of(operands(node), may_be);
   }
   return found;

@@ -1,4 +1,4 @@
-// What the printers and the parts of a file share: what is printed, in which language, and what it has used so far.
+// Emission state shared by the printers and parts of a file: the schedule, the language, and the features used so far.
 #pragma once
 
 #include "engine/emit/language/emitted.h"
@@ -18,18 +18,18 @@
 
 namespace symreal {
 
-// Noted while functions are printed: what the rest of the file must provide.
+// Features that printed functions use, which the rest of the file must provide.
 struct Uses {
-  std::array<bool, op_count> operations{}; // that are printed
-  std::array<bool, op_count> spelled{};    // whose spelling is, besides those a condition that is negated or compared
-  std::set<std::string_view> integer_functions; // by their names in the table of operations
+  std::array<bool, op_count> operations{}; // printed operations
+  std::array<bool, op_count> spelled{}; // operations whose spelling is printed, also for negated or compared conditions
+  std::set<std::string_view> integer_functions; // by their names in the operation table
   std::set<std::size_t> tables, externals;
-  bool kept_integer = false, keep_integer = false; // integers of 64 bits that stand in arrays of numbers
-  bool truths = false;                             // variables with truth values
+  bool kept_integer = false, keep_integer = false; // 64-bit integers in arrays of numbers
+  bool truths = false;                             // truth-valued variables
   bool hidden = false, value_checks = false;
-  bool apart = false;        // parts of functions that must not be joined again
-  bool side_by_side = false; // parts whose loops become vectors, whatever the rest of the file does
-  bool not_finite = false;   // infinities and NaNs among the constants
+  bool apart = false;        // parts of functions that compilers must not inline
+  bool side_by_side = false; // parts whose loops are vectorised, whatever the rest of the file permits
+  bool not_finite = false;   // infinities or NaNs among the constants
 
   void add(Uses const &other);
 };
@@ -38,18 +38,18 @@ struct Emission {
   Schedule const &plan;
   Language const &language;
   EmitOptions const &options;
-  Rerolled const *loops = nullptr;        // in place of the statements of the functions that have some
-  Laned const *lanes = nullptr;           // function compute with vectors, beside that without
-  std::set<std::string> local_names = {}; // that the functions have besides those of their variables
+  Rerolled const *loops = nullptr;        // loop programs, which replace the statements of their functions
+  Laned const *lanes = nullptr;           // vector code of compute, beside its scalar code
+  std::set<std::string> local_names = {}; // names in the functions other than variables
   Spellings spellings{language};
-  std::vector<std::string> bridges = bridge_names(*plan.graph, language); // by function of the graph
+  std::vector<std::string> bridges = bridge_names(*plan.graph, language); // per function of the graph
   Uses uses = {};
 
   Graph const &graph() const { return *plan.graph; }
-  // Whether compilers must not make one operation of a multiplication and an addition. In mode fast only exact
-  // operations mind.
+  // Whether compilers must not fuse a multiplication and an addition. In mode fast this holds only for exact
+  // operations.
   bool forbids_fusion() const { return options.mode != FloatingPoint::fast || !graph().node_exact.empty(); }
-  // The name of a function of the interface.
+  // Name of an interface function.
   std::string name(std::string const &function) const {
     return language.names.spelled(language.has_namespace ? function : prefixed(options, function));
   }

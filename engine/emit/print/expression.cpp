@@ -1,4 +1,4 @@
-// The nodes of an expression, and what asks for one.
+// Printing of the nodes of an expression, and the entry points.
 #include "engine/emit/print/expression_printer.h"
 
 #include <algorithm>
@@ -44,7 +44,7 @@ void ExpressionPrinter::finish() {
   }
 }
 
-// Neither a variable nor an element of an array.
+// Whether the node is printed as an expression, rather than as a variable or an array element.
 bool ExpressionPrinter::spelled_out(NodeId id) const {
   return !context_.is_gate(id) && !is_leaf(node(id).op) && !is_variable(id) && context_.kept[id] == no_slot &&
          !is_precomputed(id);
@@ -54,25 +54,25 @@ bool ExpressionPrinter::is_truth(NodeId id) const {
   return context_.is_gate(id) || (!is_leaf(node(id).op) && info(node(id).op).has(flag::BOOLEAN));
 }
 
-// What stands in an array is a number.
+// Whether the node is read from an array, whose elements are numbers.
 bool ExpressionPrinter::is_element(Item const &item) const {
   bool const tells_apart = !language_.expressions.truth_as_number.empty();
   return !item.spelled_out && (is_kept(item.node) || (tells_apart && is_precomputed(item.node)));
 }
 
-// Whether print_itself prints it whole: a number that is no expression of its own.
+// Whether print_itself prints the node completely: a number without an expression of its own.
 bool ExpressionPrinter::is_plain(Item const &item) const {
   return item.as != As::truth && !item.spelled_out && !spelled_out(item.node) && !is_truth(item.node);
 }
 
-// A truth value that the language counts as an integer.
+// Whether the node is a truth value that the language treats as an integer.
 bool ExpressionPrinter::is_integer(NodeId id) const {
   bool const is_copied = !context_.copied.empty() && !context_.is_gate(id) && context_.copied[id] != no_slot;
   return language_.expressions.truth_as_number.empty() && is_truth(id) && !is_kept(id) && !is_copied &&
          !is_precomputed(id);
 }
 
-// On integers alone the language would compute with integers, which have other quotients and no -0.
+// Converts integer operands: on integers alone, the language would compute integers, with other quotients and no -0.
 void ExpressionPrinter::convert_integers(OperationInfo const &operation, std::span<Item> operands) const {
   bool const is_typed_by_operands =
       operation.form == Form::infix || operation.form == Form::prefix || operation.form == Form::select;

@@ -1,4 +1,4 @@
-// Expressions in a language: nested as far as the schedule nests them, parenthesised no more than needed.
+// Expressions in a language: nested as the schedule nests them, with the fewest parentheses.
 #pragma once
 
 #include "engine/emit/language/prepared_pattern.h"
@@ -11,7 +11,7 @@
 
 namespace symreal {
 
-// A few names, each once.
+// A small set of names.
 class ArrayNames {
 public:
   void insert(std::string_view name) {
@@ -23,60 +23,58 @@ private:
   std::vector<std::string_view> names_;
 };
 
-// What is still to be printed of an expression: text, or a node that needs parentheses unless it binds at least this
-// tightly.
+// A pending item of an expression: text, or a node that needs parentheses unless it binds at least this tightly.
 struct ExpressionItem {
-  // What stands at a place of the text: a number, a truth value, or the node as it is. `converted`: a number of the
-  // language's type of numbers, also where truth values count as integers.
+  // Form of the node: a number, a truth value, or the node as it is. `converted`: a number of the language's real type,
+  // even if truth values count as integers.
   enum class As : std::uint8_t { number, truth, itself, converted };
 
   std::string_view text = {};
   NodeId node = no_node;
   int binding = binding::loosest;
   As as = As::itself;
-  bool spelled_out = false; // even if it has a variable
+  bool spelled_out = false; // even if the node has a variable
 };
 
-// How the nodes that stand in variables and arrays are spelled inside one function, and what its text has used.
+// Spellings of nodes in variables and arrays within one function, and the names that its text uses.
 struct FunctionContext {
   Emission &emission;
   FunctionBody const &body;
-  bool in_compute;                        // reads input and constants; otherwise parameters
+  bool in_compute;                        // reads input and constants, else parameters
   VariableNames spelling;                 // of variables
-  std::vector<std::uint32_t> variable;    // per node: the number of its variable, or no_slot
-  std::vector<std::uint32_t> kept;        // per node: the element of v where it stands for later chunks, or no_slot
-  std::vector<std::uint32_t> copied = {}; // per node: the element of v that has its array's element; or empty
-  std::vector<char> constant_paths;       // per node; empty: compilers may evaluate what they find constant
-  ArrayNames arrays = {};                 // that the text names
-  std::vector<NodeId> spelled_out = {};   // the operations that the text holds
-  std::vector<std::string> leaves = {};   // per input: how it is spelled where it is no element of `input`
-  std::vector<ExpressionItem> items = {}; // of the expressions that are being printed, the next one last
+  std::vector<std::uint32_t> variable;    // per node: number of its variable, or no_slot
+  std::vector<std::uint32_t> kept;        // per node: element of v that keeps it for later chunks, or no_slot
+  std::vector<std::uint32_t> copied = {}; // per node: element of v with a copy of its array element; or empty
+  std::vector<char> constant_paths;       // per node; empty: compilers may fold operations on constants
+  ArrayNames arrays = {};                 // used in the text
+  std::vector<NodeId> spelled_out = {};   // operations in the text
+  std::vector<std::string> leaves = {};   // per input: its spelling, if it differs from an element of `input`
+  std::vector<ExpressionItem> items = {}; // pending items of the printed expressions, the next one last
 
   FunctionContext(Emission &emission, FunctionBody const &body, bool in_compute);
   Graph const &graph() const { return emission.graph(); }
   bool is_gate(NodeId id) const { return body.regions.is_gate(id); }
-  // An element of an array that the function has or is given.
+  // Appends an element of a local or parameter array.
   void append_element(std::string &text, std::string_view array, std::size_t index);
-  // The element of an array of results that a call sets: its own array, or v.
+  // Element of the array that a call stores its results in: its own array, or v.
   std::string result_element(NodeId call, std::size_t result);
 
 private:
   PreparedPattern element_;
 };
 
-// At the end of `text` the value of `root`, spelled out even where the node has a variable (it is the statement that
-// sets it).
+// Appends the value of `root` to `text`, as an expression even if the node has a variable (for the statement that sets
+// it).
 void print_expression(FunctionContext &context, NodeId root, std::string &text);
-// A condition that holds where the literal does. A comparison is negated, not turned round: with a NaN both x < y
-// and x >= y are false.
+// Condition equivalent to the literal. A comparison is negated instead of reversed: with a NaN both x < y and x >= y
+// are false.
 std::string print_condition(FunctionContext &context, Literal literal);
-// That one of the alternatives of a gate holds: all literals of one of them.
+// Condition of a gate: all literals of at least one alternative hold.
 std::string print_gate(FunctionContext &context, NodeId gate);
-// A use of the node as a number or an integer: its variable, its array element or its constant; a nested expression is
-// spelled out.
+// Use of the node as a number or an integer: its variable, array element or constant, or its nested expression.
 void print_use(FunctionContext &context, NodeId node, std::string &text);
 std::string print_use(FunctionContext &context, NodeId node);
-// As a function or a list of numbers takes it.
+// Use of the node as a function's argument, or in a list of numbers.
 std::string print_argument(FunctionContext &context, NodeId node);
 
 } // namespace symreal

@@ -1,4 +1,4 @@
-// Prints one expression. Shared by expression.cpp, which knows nodes, and operation.cpp, which knows operations.
+// Printer of one expression, implemented in expression.cpp (nodes) and operation.cpp (operations).
 #pragma once
 
 #include "engine/emit/print/expression.h"
@@ -15,7 +15,7 @@ public:
   using Item = ExpressionItem;
   using As = Item::As;
 
-  // Writes at the end of `text`.
+  // Appends to `text`.
   ExpressionPrinter(FunctionContext &context, std::string &text)
       : context_(context),
         language_(context.emission.language),
@@ -33,7 +33,7 @@ private:
   Node const &node(NodeId id) const { return graph_.nodes[id]; }
   bool is_variable(NodeId id) const { return context_.variable[id] != no_slot; }
   bool is_kept(NodeId id) const { return !is_variable(id) && context_.kept[id] != no_slot; }
-  // Where it stands, if `preprocess` computes it or the function before its statements.
+  // Array element of a node computed by preprocess, or at the start of the function; nullopt for other nodes.
   std::optional<Element> precomputed(NodeId id) const {
     if (!context_.in_compute || context_.is_gate(id)) return {};
     std::optional<Element> const element = context_.emission.plan.element(id);
@@ -61,14 +61,14 @@ private:
   void push_pattern(Op op, std::span<Item const> operands, NodeId hidden = no_node);
   void push_hidden(Item const &operand);
   void push(std::string_view text) { stack_.push_back({.text = text}); }
-  // Text that lives as long as the printer.
+  // Text with the lifetime of the printer.
   std::string_view lasting(std::string text) { return lasting_.emplace_front(std::move(text)); }
 
   FunctionContext &context_;
   Language const &language_;
   Graph const &graph_;
-  std::vector<Item> &stack_; // instead of recursion; items are pushed last first
-  std::size_t others_;       // items of an expression that this one is part of
+  std::vector<Item> &stack_; // replaces recursion; items are pushed last first
+  std::size_t others_;       // number of items of enclosing expressions
   std::string &text_;
   std::forward_list<std::string> lasting_;
 };

@@ -12,12 +12,12 @@ namespace symreal {
 
 namespace {
 
-// Identifiers and single characters of C, without comments, strings and the lines of the preprocessor.
+// Tokeniser for C: identifiers and single characters, without comments, strings and preprocessor lines.
 class Tokens {
 public:
   explicit Tokens(std::string_view text) : text_(text) {}
 
-  // Empty at the end.
+  // The next token; empty at the end.
   std::string_view next() {
     skip();
     std::size_t end = at_ + (at_ < text_.size());
@@ -55,7 +55,7 @@ private:
   std::size_t at_ = 0;
 };
 
-// Names of <math.h> and <stdbool.h>: a prototype of such a name is another text.
+// Macros of <math.h> and <stdbool.h>, which would change a prototype of that name.
 bool is_macro(std::string_view name) {
   static constexpr std::string_view macros[] = {
       "bool",        "true",          "false",       "isnan",     "isinf",    "isfinite",
@@ -70,7 +70,7 @@ bool is_of_mathematical_library(std::string_view name) {
   });
 }
 
-// How often each of the names is declared, and those that stand where no function does.
+// Declaration counts of names, and names in other roles.
 struct Names {
   std::map<std::string_view, std::size_t> declarations;
   std::set<std::string_view> others;

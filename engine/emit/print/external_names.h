@@ -1,4 +1,4 @@
-// The names of external functions beside those that the generated file has for itself.
+// Name clashes between external functions and the generated file.
 #pragma once
 
 #include "engine/emit/language/emitted.h"
@@ -8,8 +8,8 @@
 
 namespace symreal {
 
-// Fails where a language that calls them directly has another use for the name of one: a function, a variable, a macro
-// or a keyword. `files`: what was printed.
+// Fails if a language that calls external functions directly uses the name of one otherwise: as a function, a variable,
+// a macro or a keyword. `files`: the printed files.
 void require_other_names(Emission const &emission, std::vector<EmittedFile> const &files);
 
 } // namespace symreal

@@ -48,7 +48,7 @@ public:
         begin_part(chunk, last);
         CodeText text(language_);
         bool const checks = printer_.statements(chunk, text);
-        if (chunk == 0) out.reserve(text.size() * printer_.chunk_count() * 3 / 2); // or it is copied as it grows
+        if (chunk == 0) out.reserve(text.size() * printer_.chunk_count() * 3 / 2); // avoids copies as the text grows
         print_part(chunk, std::move(text), checks, out, last);
         end_part(chunk, last);
       }
@@ -59,7 +59,7 @@ public:
         print_part(printer_.chunk_count() + group, std::move(text), false, out, last);
       }
       end_group(part_count(), out);
-      for (std::string const &input : plan_.inputs) printer_.note_array(input); // the calls pass them on
+      for (std::string const &input : plan_.inputs) printer_.note_array(input); // passed on by the calls
       if (syntax_.parts_store) printer_.note_array(plan_.target);
     }
     last.statement(
@@ -84,7 +84,7 @@ private:
   std::size_t part_count() const {
     return printer_.chunk_count() + (printer_.result_groups() == 1 ? 0 : printer_.result_groups());
   }
-  // Behind so many parts.
+  // Ends a group after this many parts.
   void end_group(std::size_t parts, CodeText &out) const {
     if (syntax_.group_size == 0) return;
     out.statement(0, fill(language_, syntax_.group_end, {{"name", group(parts - 1)}}));
@@ -93,7 +93,7 @@ private:
 
   bool is_shared() const { return !printer_.parts().empty(); }
   std::uint32_t stage(std::size_t chunk) const { return body_.parts[printer_.parts()[chunk]].stage; }
-  // Whether another part is computed at the same time.
+  // Whether another part runs concurrently.
   bool is_shared(std::size_t chunk) const {
     return is_shared() && std::ranges::count(body_.parts, stage(chunk), &ThreadPart::stage) > 1;
   }
@@ -115,7 +115,7 @@ private:
     return fill(language_, lines, {{"threads", std::to_string(threads_)}});
   }
 
-  // A chunk, or results that none stores.
+  // Prints a part: a chunk, or a group of results that no chunk stores.
   void print_part(std::size_t part, CodeText text, bool checks, CodeText &out, CodeText &calls) {
     if (syntax_.group_size != 0 && part % syntax_.group_size == 0) {
       if (part != 0) end_group(part, out);
@@ -131,7 +131,7 @@ private:
     std::string const arguments =
         with_output(fmt::format("{}", fmt::join(plan_.part_inputs, ", ")), stores ? plan_.target + ", v" : "v");
     bool const is_shared = part < printer_.chunk_count() && this->is_shared(part);
-    for (std::string_view rest = checks ? syntax_.checked_call : syntax_.call; !rest.empty();) { // a statement a line
+    for (std::string_view rest = checks ? syntax_.checked_call : syntax_.call; !rest.empty();) { // line by line
       std::size_t const end = std::min(rest.find('\n'), rest.size());
       calls.statement(
           is_shared ? language_.parallel.indent : 2,
@@ -140,7 +140,7 @@ private:
     }
   }
 
-  // In one statement, where the language declares them so.
+  // Declares the locals in one statement, if the language requires that.
   void print_locals(bool is_part, CodeText &out) {
     std::vector<std::string> names = printer_.take_variables();
     if (!is_part && printer_.chunk_count() > 1) names.insert(names.begin(), "v");
@@ -149,7 +149,7 @@ private:
                           {{"names", fmt::format("{}", fmt::join(names, ", "))}}));
   }
 
-  // A parameter that the text does not use is marked, or compilers warn.
+  // Marks parameters that the text does not use, against compiler warnings.
   void append(CodeText &out, std::string_view head, std::string_view output, bool may_fail, std::string const &name,
               std::string const &last, CodeText text) {
     bool const is_part = name != plan_.name;

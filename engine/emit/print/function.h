@@ -1,4 +1,4 @@
-// The functions of a schedule in a language: the one walk over statements and blocks.
+// Printing of a schedule's functions: a single walk over statements and blocks for all languages.
 #pragma once
 
 #include "engine/emit/print/code_text.h"
@@ -6,7 +6,7 @@
 
 namespace symreal {
 
-// A long one becomes functions of the file's own that the last one calls.
+// Prints a function; a long one as local functions that the last one calls.
 CodeText print_function(Emission &emission, FunctionKind kind);
 
 } // namespace symreal

@@ -18,7 +18,7 @@ FunctionContext::FunctionContext(Emission &emission, FunctionBody const &body, b
 
 void FunctionContext::append_element(std::string &text, std::string_view array, std::size_t index) {
   arrays.insert(array);
-  std::string number; // short: no memory is asked for
+  std::string number; // short enough to avoid allocation
   append_number(number, index + emission.language.expressions.first_index);
   element_.append_to(text, {array, number});
 }

@@ -1,4 +1,4 @@
-// The first line of a function, and of each of the functions that it is cut into.
+// Head lines of functions, and of the parts that a long function is cut into.
 #pragma once
 
 #include "engine/emit/language/language.h"
@@ -15,7 +15,7 @@ struct FunctionHead {
   bool may_fail = false, is_pure = false, is_apart = false, is_side_by_side = false;
 };
 
-// `pattern`: that of the language for the function, or for a part of it.
+// `pattern`: the language's pattern for a function, or for a part.
 std::string print_head(Language const &language, std::string_view pattern, FunctionHead const &head);
 
 } // namespace symreal

@@ -1,4 +1,4 @@
-// What a function of a file is called, reads and fills.
+// Names and arrays of a function in a generated file.
 #pragma once
 
 #include "engine/emit/print/emission.h"
@@ -9,14 +9,14 @@ enum class FunctionKind { preprocess, computed_angles, compute };
 
 struct FunctionPlan {
   FunctionBody const &body;
-  std::optional<reroll::LoopFunction> const *loops; // of the file, or none has any
+  std::optional<reroll::LoopFunction> const *loops; // null if the file has no loops
   std::string name;
-  std::vector<std::string> inputs, part_inputs; // of the function, of its parts
+  std::vector<std::string> inputs, part_inputs; // parameters of the function, and of its parts
   std::string target;
-  bool in_compute; // reads what compute reads
-  bool is_local;   // of the file, not of its interface
+  bool in_compute; // it reads what compute reads
+  bool is_local;   // local to the file, rather than part of its interface
 
-  // Whether it begins with sines and cosines, which its parts read.
+  // Whether the function begins with sines and cosines, which its parts read.
   bool has_angles() const { return part_inputs.size() != inputs.size(); }
 };
 

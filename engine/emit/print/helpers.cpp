@@ -18,7 +18,7 @@ bool has_word(std::string_view text, std::string_view word) {
   return false;
 }
 
-// The patterns of the language that something was printed by.
+// Patterns of the language that have been used.
 std::string printed_patterns(Emission const &emission) {
   Language const &language = emission.language;
   Uses const &uses = emission.uses;

@@ -1,12 +1,12 @@
-// The functions of a language's table that generated code calls.
+// Helper functions of a language's table that generated code calls.
 #pragma once
 
 #include "engine/emit/print/emission.h"
 
 namespace symreal {
 
-// Those that the printed spellings name, and those that these name, in the order of the table: declarations, or
-// functions.
+// Helpers that printed spellings name, and transitively those that helpers name, in table order: their declarations, or
+// their definitions.
 std::string print_helpers(Emission const &emission, bool declarations);
 
 } // namespace symreal

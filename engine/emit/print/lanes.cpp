@@ -52,8 +52,8 @@ public:
 private:
   bool is_given(NodeId id) const { return emission_.plan.element(id).has_value(); }
 
-  // What is computed alone, as a graph of the same nodes: what stands in a vector or an array is an input of it. Its
-  // results are what vectors are made of, and what is stored alone.
+  // The scalar operations, as a graph of the same nodes, in which vector lanes and array elements are inputs. Its
+  // results are the scalars that vectors are built from, and those stored alone.
   Graph rest() {
     Graph rest = emission_.graph();
     rest.precomputed.clear();
@@ -82,7 +82,7 @@ private:
     return rest;
   }
 
-  // The statements of numbers in the order of the function, and before which of them each vector stands.
+  // Sorts the scalar statements into the order of the function, and determines the vectors before each.
   void put_in_order() {
     std::vector<std::uint32_t> turn(rest_.nodes.size(), 0);
     for (std::uint32_t k = 0; k < function_.order.size(); ++k)
@@ -118,12 +118,12 @@ private:
     return origin;
   }
 
-  // A parameter that the text does not use is marked, or compilers warn.
+  // Marks parameters that the text does not use, against compiler warnings.
   CodeText with_head(CodeText text) const {
     FunctionSyntax const &syntax = language_.functions;
     std::set<Array> used;
     if (emission_.plan.angles.size() != 0) used.insert(Array::input);
-    if (!emission_.plan.angles.computed.results.empty()) used.insert(Array::constants); // the call passes it on
+    if (!emission_.plan.angles.computed.results.empty()) used.insert(Array::constants); // passed on by the call
     for (lanes::Item const &item : function_.order)
       if (item.is_vector) {
         lanes::Vector const &vector = function_.vectors[item.id];
@@ -165,7 +165,7 @@ private:
   std::vector<char> constant_leaves_;
   Graph rest_;
   Schedule plan_;
-  std::vector<std::vector<lanes::VectorId>> before_; // per statement, and behind the last
+  std::vector<std::vector<lanes::VectorId>> before_; // per statement, and after the last
 };
 
 } // namespace

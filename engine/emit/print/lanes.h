@@ -1,4 +1,4 @@
-// A function some of whose operations are computed side by side: statements of vectors among those of numbers.
+// Printing of a function with vectors: vector statements interleaved with scalar ones.
 #pragma once
 
 #include "engine/emit/print/code_text.h"

@@ -1,5 +1,5 @@
-// How the text of a step counts its iterations: k through all of them; or i and j in two loops, one in the other, and k
-// beside them only where something goes by it.
+// Loop counters in the text of a step: k over all iterations; or i and j in a loop nest, with k beside them only if an
+// index needs it.
 #pragma once
 
 #include "engine/emit/print/code_text.h"
@@ -13,7 +13,7 @@
 
 namespace symreal {
 
-// The text of first + step * counter + ... for each step and counter: 2*k + 5, or 5 - 2*k.
+// The affine index first + step * counter + ..., summed over steps and counters: 2*k + 5, or 5 - 2*k.
 std::string index_text(std::int64_t first, std::vector<std::pair<std::int64_t, std::string_view>> const &steps);
 
 class LoopIndices {
@@ -24,18 +24,18 @@ public:
   bool is_nested() const { return nest_.has_value(); }
   std::set<std::string> const &names() const { return names_; }
 
-  // How often the outer of two loops goes round, or the only one.
+  // Iteration count of the outer, or only, loop.
   std::uint32_t turns() const { return nest_ ? nest_->turns : count_; }
-  // k, and i of two loops.
+  // Counter of all iterations (k), and of the outer loop (i).
   std::string of_iteration();
   std::string of_turn() const;
-  // Of an element; none where only a table says it.
+  // Affine index of the element; nullopt if it needs an index table.
   std::optional<std::string> of_element(reroll::Access const &access);
-  // Whether it stays the same in all iterations, and while the inner of two loops goes round.
+  // Whether the index is invariant in all loops, or in the inner one.
   bool is_fixed(reroll::Access const &access) const;
   bool is_fixed_in_turn(reroll::Access const &access) const;
 
-  // `of_turn`: statements of the outer loop. Returns how far the body is indented.
+  // `of_turn`: statements of the outer loop. Returns the indentation of the body.
   std::size_t begin(std::vector<std::string> const &of_turn, CodeText &out) const;
   void end(CodeText &out) const;
 
@@ -46,7 +46,7 @@ private:
   std::uint32_t count_;
   std::optional<reroll::Nest> nest_ = {};
   std::set<std::string> names_ = {};
-  bool is_counted_ = false; // something goes by k
+  bool is_counted_ = false; // whether an index needs k
 };
 
 } // namespace symreal

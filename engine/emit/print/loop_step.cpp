@@ -56,7 +56,7 @@ public:
   }
 
 private:
-  // Compilers may unroll a loop and see what a table holds.
+  // Compilers may unroll a loop and see the values of a table.
   std::vector<char> constant_leaves() const {
     std::vector<char> constant;
     for (Leaf const &leaf : step_.leaves)
@@ -97,14 +97,14 @@ private:
     }
     return leaves;
   }
-  // A name that the step has given to nothing else yet.
+  // A name that is unused in the step.
   std::string own_name(std::string const &wish) {
     std::string name = wish;
     for (std::size_t number = 2; !names_.insert(name).second; ++number) name = fmt::format("{}_{}", wish, number);
     return name;
   }
 
-  // What stays the same stands before the loop: compilers cannot know that no store changes it.
+  // Invariant elements are read before the loop: compilers cannot know that no store changes them.
   std::string spell(Leaf const &leaf, std::size_t number) {
     StatementSyntax const &syntax = language_.statements;
     bool const is_carried = leaf.kind == Leaf::Kind::carried;
@@ -150,7 +150,7 @@ private:
     return name;
   }
 
-  // Where records and the rows of tables begin, statements of the body, or of the outer of two loops.
+  // Statements for the begins of records and table rows, in the body or in the outer loop.
   std::vector<std::string> spell_rows() {
     std::vector<std::string> statements;
     for (std::size_t k = 0; k < record_names_.size(); ++k) {
@@ -180,14 +180,14 @@ private:
   StepNumbers const &numbers_;
   LoopTables const &tables_;
   LoopIndices indices_;
-  std::set<std::string> names_; // that the body must not take
+  std::set<std::string> names_; // names that the body must not use
   LoopArrays const &arrays_;
   CodeText &out_;
   std::set<std::string> &used_;
   std::vector<std::string> table_names_, rows_; // names, per walk through a table
   Records records_{indices_.is_loop()};
   std::vector<std::string> record_names_;
-  std::vector<std::string> of_turn_; // statements of the outer of two loops
+  std::vector<std::string> of_turn_; // statements of the outer loop
   std::size_t element_tables_ = 0, indent_ = 2;
 };
 

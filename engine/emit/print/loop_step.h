@@ -1,4 +1,4 @@
-// The statements of a step of a function of loops.
+// Printing of one step of a loop program.
 #pragma once
 
 #include "engine/emit/print/code_text.h"
@@ -9,14 +9,13 @@
 
 namespace symreal {
 
-// What the arrays of a function are called.
+// Names of the arrays of a function.
 struct LoopArrays {
   std::string given, read, memory, filled, sine, cosine;
-  bool may_be_constant = false; // what stands in memory, on some path
+  bool may_be_constant = false; // whether memory is constant on some path
 };
 
-// Prints into `out`, with the tables that no other step reads; the names of the arrays that the text has are added to
-// `used`.
+// Prints into `out`, with the tables that only this step reads; adds the names of the arrays in the text to `used`.
 void print_step(Emission &emission, reroll::Step const &step, StepNumbers const &numbers, LoopTables const &tables,
                 LoopArrays const &arrays, CodeText &out, std::set<std::string> &used);
 

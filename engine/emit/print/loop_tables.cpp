@@ -22,7 +22,7 @@ void print_table(Language const &language, std::size_t indent, std::string_view 
 
 LoopTables::LoopTables(Language const &language, std::string_view function, std::vector<reroll::Step> const &steps)
     : numbers_(steps) {
-  std::map<std::size_t, std::size_t> shared; // by their rows
+  std::map<std::size_t, std::size_t> shared; // per row count
   for (std::size_t k = 0; k < numbers_.tables().size(); ++k) {
     std::string const name = fmt::format("values_{}", table(k).rows);
     if (!is_shared(k)) {

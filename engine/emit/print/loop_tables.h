@@ -1,4 +1,4 @@
-// The text of the tables that loops go through (number_tables.h).
+// Printing of the tables that loops read (number_tables.h).
 #pragma once
 
 #include "engine/emit/print/code_text.h"
@@ -18,8 +18,8 @@ public:
 
   StepNumbers const &of_step(std::size_t step) const { return numbers_.steps()[step]; }
   NumberTable const &table(std::size_t table) const { return numbers_.tables()[table]; }
-  // Of one that several loops go through, which stands before the function; of another, which stands in front of its
-  // loop, what it may be called.
+  // Name of a table: one that several loops share is printed before the function; another is printed before its loop
+  // under this name, if it is free.
   std::string const &name(std::size_t table) const { return names_[table]; }
   bool is_shared(std::size_t table) const { return this->table(table).walks > 1; }
   void print_shared(Emission &emission, CodeText &out) const;
@@ -29,15 +29,15 @@ private:
   std::vector<std::string> names_;
 };
 
-// Which of the rows that are written each row of a table is.
+// Name of the list that maps each row of a table to the row stored for it.
 std::string rows_name(std::string const &table_name);
-// `indent`: before its lines.
+// `indent`: of its lines.
 void print_number_table(Emission &emission, std::size_t indent, std::string const &name, NumberTable const &table,
                         CodeText &out);
 void print_element_table(Language const &language, std::size_t indent, std::string const &name,
                          std::vector<std::uint32_t> const &elements, CodeText &out);
 
-// Where in the table the row of an iteration begins; `count` is the name of what counts them.
+// Index at which the row of an iteration begins; `count`: name of the loop counter.
 std::string begin_of_row(Language const &language, TableWalk const &walk, NumberTable const &table,
                          std::string const &name, std::string_view count);
 

@@ -94,7 +94,7 @@ private:
     out.lines(fill(language_, language_.loops.below_diagonal, {{"rows", std::to_string(mirror.rows)}, {"copy", copy}}));
   }
 
-  // A part is given the arrays that it uses, which it returns. Those that it fills overlap with no other.
+  // Prints a part, and returns the arrays that it uses, its parameters. Arrays that it fills overlap no other.
   std::set<std::string> print_part(std::size_t number, CodeText &out, CodeText &calls) {
     Step const &step = function_.steps[number];
     CodeText text(language_);
@@ -119,7 +119,7 @@ private:
     return used;
   }
 
-  // A parameter that the text does not use is marked, or compilers warn.
+  // Marks parameters that the text does not use, against compiler warnings.
   void append(CodeText &out, std::string_view pattern, FunctionHead head, std::vector<Parameter> const &parameters,
               std::set<std::string> const &used, CodeText &&text) const {
     std::vector<std::string> words;

@@ -1,4 +1,4 @@
-// A function of loops: a function of the file for each step, and one that calls them.
+// Printing of a loop program: a local function for each step, and a function that calls them.
 #pragma once
 
 #include "engine/emit/print/code_text.h"

@@ -9,7 +9,7 @@ namespace symreal {
 
 namespace {
 
-// Where each of `count` lines begins among elements that stand line by line.
+// Offsets of `count` lines in a list of elements that is sorted by line.
 std::vector<std::size_t> starts(std::vector<std::uint32_t> const &lines, std::size_t count) {
   std::vector<std::size_t> result(count + 1, 0);
   for (std::uint32_t const line : lines) ++result[line + std::size_t{1}];

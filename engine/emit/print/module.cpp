@@ -54,7 +54,7 @@ namespace {
 
 std::string list(std::vector<std::size_t> const &extents) { return fmt::format("{}", fmt::join(extents, ", ")); }
 
-// The innermost extent first, as types are built around the number.
+// Type of an object, built from the innermost extent outwards.
 std::string type_of(Language const &language, ObjectsSyntax const &syntax, Object const &object) {
   std::string type = with_words(language, syntax.number);
   auto const wrap = [&](std::size_t extent) {
@@ -74,14 +74,14 @@ std::string objects(Emission const &emission, ObjectsSyntax const &syntax, std::
   Filling fill = interface_names(emission);
   fill.set_name("role", emission.name(role));
   fill.set("count", all.empty() ? 0 : all.back().first + all.back().count);
-  NameRules const rules{emission.language.names.keywords, /*ignores_case=*/true}; // they may become capitals
+  NameRules const rules{emission.language.names.keywords, /*ignores_case=*/true}; // names may be converted to capitals
   std::vector<std::string> const names = identifiers(all, rules);
   std::size_t const base = emission.language.expressions.first_index;
   std::string text;
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (all[i].count == 0) continue;
     std::vector<std::size_t> extents = all[i].extents;
-    if (!all[i].members.empty()) extents = {all[i].count}; // its numbers in a row
+    if (!all[i].members.empty()) extents = {all[i].count}; // a flat list of its numbers
     std::vector<std::size_t> const reversed(extents.rbegin(), extents.rend());
     fill.set_name("name", names[i])
         .set("first", all[i].first + base)
@@ -104,7 +104,7 @@ std::string all_objects(Emission const &emission, ObjectsSyntax const &syntax) {
          objects(emission, syntax, "output", graph.outputs);
 }
 
-// `fill` has the list's name.
+// `fill` has the name of the list.
 std::string index_list(Emission const &emission, Filling fill, std::string const &name,
                        std::vector<std::string> const &values) {
   ModuleSyntax const &syntax = emission.language.module;

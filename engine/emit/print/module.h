@@ -1,4 +1,4 @@
-// The parts of a file that a language's module.h patterns say.
+// The parts of a file that come from the patterns of language/module.h.
 #pragma once
 
 #include "engine/emit/language/pattern.h"
@@ -8,21 +8,21 @@
 
 namespace symreal {
 
-// What the interface calls its parts, and its sizes (language/module.h).
+// Interface names and sizes for the patterns (language/module.h).
 Filling interface_names(Emission const &emission);
 
-// Sizes, where objects begin, structures of them, remarks.
+// Sizes, object offsets, structures of objects, remarks.
 std::string module_begin(Emission const &emission);
-// The texts of the guards, and the end.
+// Texts of the guards, and the end of the file.
 std::string module_end(Emission const &emission);
 std::string module_main(Emission const &emission);
 
-// What the patterns of a main program are filled with, but for $call.
+// Values for the patterns of a main program, except $call.
 Filling module_facts(Emission const &emission);
-// The values of a list, a few on a line.
+// The values of a list, several per line.
 std::string lines_of(Language const &language, std::vector<std::string> const &values);
 
-// Lines as they stand between the functions of a file.
+// Text indented for its place between the functions of a file.
 std::string indented(Language const &language, std::string const &text);
 
 } // namespace symreal

@@ -30,7 +30,7 @@ std::size_t find_column(Column const &column, TableWalk const &walk, NumberTable
   return static_cast<std::size_t>(std::ranges::find_if(table.columns, is_it) - table.columns.begin());
 }
 
-// Whether a walk of so many iterations stays in the table.
+// Whether a walk of `count` iterations stays inside the table.
 bool stays_inside(TableWalk const &walk, NumberTable const &table, std::size_t count) {
   return table.is_cyclic || (walk.is_backwards ? walk.first + 1 >= count : walk.first + count <= table.rows);
 }
@@ -58,7 +58,7 @@ std::size_t row_of(TableWalk const &walk, NumberTable const &table, std::size_t 
   return (walk.is_backwards ? walk.first + table.rows - turn : walk.first + turn) % table.rows;
 }
 
-// Of one step, equally long, and all by turns or none.
+// Columns of one step with equal length and, for all of them, the same `by_turn` and `is_cyclic`.
 struct NumberTables::Columns {
   std::size_t step;
   bool by_turn, is_cyclic;
@@ -71,7 +71,7 @@ struct NumberTables::Columns {
     values.push_back(&column);
   }
 
-  // The walks through the table on which some of them stand there; not all, where a number is in many places.
+  // Walks through the table that reproduce at least one column; incomplete if a number occurs in many places.
   std::set<TableWalk> walks(std::size_t number, NumberTable const &table) const {
     constexpr std::size_t most_columns = 16, most_places = 64;
     std::set<TableWalk> walks;
@@ -90,7 +90,7 @@ struct NumberTables::Columns {
     return walks;
   }
 
-  // The walk on which most of them stand there, at least a quarter.
+  // The walk that reproduces the most columns, at least a quarter.
   std::optional<TableWalk> best_walk(std::vector<NumberTable> const &tables) const {
     std::optional<TableWalk> best;
     std::size_t most = (values.size() - 1) / 4;
@@ -123,7 +123,7 @@ NumberTables::NumberTables(std::vector<Step> const &steps) : steps_(steps.size()
     }
     for (auto &[shape, columns] : of_step) all.push_back(std::move(columns));
   }
-  // The longest, and of them the most, come first: others may stand in their tables.
+  // The longest columns, and of equal ones the largest groups, come first: others may reuse their tables.
   std::ranges::stable_sort(all, std::greater<>(),
                            [](Columns const &columns) { return std::pair(columns.size(), columns.values.size()); });
   for (Columns &columns : all) place(std::move(columns));
@@ -141,7 +141,7 @@ NumberTables::NumberTables(std::vector<Step> const &steps) : steps_(steps.size()
 void NumberTables::place(Columns rest) {
   StepNumbers &numbers = steps_[rest.step];
   constexpr std::size_t none = ~std::size_t{0};
-  std::size_t filled = none; // the walk through a table that new columns can fill
+  std::size_t filled = none; // walk through a table that can take new columns
   auto const add_walk = [&](TableWalk const &walk) {
     numbers.walks.push_back(walk);
     ++tables_[walk.table].walks;

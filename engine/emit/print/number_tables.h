@@ -1,7 +1,7 @@
-// The numbers that the loops of a function go through, as tables with a row for each iteration.
+// Number tables: the constants that loops read, as tables with a row per iteration.
 //
-// Loops that go through the same numbers share a table: one may go through its rows backwards, begin in the middle, or
-// go round less often.
+// Loops with equal numbers share a table: one may read its rows backwards, start in the middle, or have fewer
+// iterations.
 #pragma once
 
 #include "engine/plan/reroll/loop_program.h"
@@ -13,33 +13,33 @@ namespace symreal {
 
 struct NumberTable {
   std::size_t rows;
-  bool is_cyclic; // behind the last row comes the first one
+  bool is_cyclic; // the first row follows the last one
   std::vector<std::vector<double>> columns = {};
-  std::size_t walks = 0;                   // of loops, through it
-  std::vector<std::uint32_t> written = {}; // rows, in order: those that are alike are written once,
-  std::vector<std::uint32_t> which = {};   // and this says per row where; empty where most rows differ
+  std::size_t walks = 0;                   // number of loops that read it
+  std::vector<std::uint32_t> written = {}; // stored rows, in order: equal rows are stored once,
+  std::vector<std::uint32_t> which = {};   // and this maps each row to a stored one; empty if most rows differ
 
   bool is_listed() const { return !which.empty(); }
 };
 
-// In iteration k: row first + k, or first - k.
+// Row of iteration k: first + k, or first - k.
 struct TableWalk {
   std::size_t table;
   std::size_t first = 0;
   bool is_backwards = false;
-  bool by_turn = false; // k counts the turns of the outer of two loops
+  bool by_turn = false; // k counts iterations of the outer loop
   auto operator<=>(TableWalk const &) const = default;
 };
 
 std::size_t row_of(TableWalk const &walk, NumberTable const &table, std::size_t k);
 
-// Where the numbers of a step stand.
+// Positions of a step's numbers in the tables.
 struct StepNumbers {
   struct Place {
     std::size_t walk, column;
   };
   std::vector<TableWalk> walks = {};
-  std::vector<Place> places = {}; // per leaf, of those that stand for numbers
+  std::vector<Place> places = {}; // per leaf of kind `values`
 };
 
 class NumberTables {

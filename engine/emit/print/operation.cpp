@@ -1,4 +1,4 @@
-// The operations of an expression, by their patterns.
+// Printing of the operations of an expression, by their patterns.
 #include "engine/emit/print/constant_paths.h"
 #include "engine/emit/print/expression_printer.h"
 #include "engine/emit/print/tables.h"
@@ -17,7 +17,7 @@ void ExpressionPrinter::print_element(Node const &node, std::string_view array, 
   text_ += fill(language_, language_.expressions.kept_integer, {{"element", element}});
 }
 
-// Of its two halves.
+// Whether the node combines two constant halves.
 bool ExpressionPrinter::is_integer_constant(Node const &node) const {
   return node.op == Op::wide && this->node(node.operand[0]).is_constant() && this->node(node.operand[1]).is_constant();
 }
@@ -54,7 +54,7 @@ void ExpressionPrinter::print_operation(Node const &node, int binding) {
   push_pattern(node.op, std::span(operands).first(operation.arity), hidden);
 }
 
-// `id` as a number, compared with 0.
+// Pushes the comparison of `id`, as a number, with 0.
 void ExpressionPrinter::push_comparison(Op op, NodeId id) {
   push_pattern(op, std::array{Item{.node = id, .as = As::number}, Item{.text = lasting(constant(language_, 0))}});
 }
@@ -67,7 +67,7 @@ void ExpressionPrinter::push_pattern(Op op, std::span<Item const> operands, Node
     operand.binding = piece.binding;
     return operand;
   };
-  std::size_t printed = 0; // most operands need not wait for others
+  std::size_t printed = 0; // most operands are printed at once
   for (; printed < pieces.size(); ++printed) {
     Spellings::Piece const &piece = pieces[printed];
     if (piece.operand < 0) {
@@ -100,7 +100,7 @@ void ExpressionPrinter::push_hidden(Item const &operand) {
   push(hidden.substr(0, place));
 }
 
-// An element of a table, or of the array that has the results of a call. Calls are statements of their own.
+// Prints an element of a table, or of the array that holds the results of a call. Calls are statements of their own.
 void ExpressionPrinter::print_external(Node const &node) {
   if (node.op == Op::returned) {
     text_ += context_.result_element(node.operand[0], result_of(graph_, node));

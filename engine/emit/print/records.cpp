@@ -11,7 +11,7 @@ bool Records::may_have(reroll::Access const &access) const {
 }
 
 std::int64_t Records::span(std::int64_t step) const {
-  constexpr std::int64_t most_elements = 64; // without a loop
+  constexpr std::int64_t most_elements = 64; // in straight-line code
   return are_in_loop_ ? std::abs(step) : most_elements;
 }
 

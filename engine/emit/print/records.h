@@ -1,5 +1,5 @@
-// Elements that an iteration of a loop reads, or stores, beside each other, or code without a loop at indices that are
-// long: the text names where they begin once, and says r1[2] for v[17914 - 54*k].
+// Records: groups of nearby elements that a loop iteration, or straight-line code at long indices, reads or stores. The
+// text names the begin of a record once, and writes r1[2] for v[17914 - 54*k].
 #pragma once
 
 #include "engine/plan/reroll/loop_program.h"
@@ -15,7 +15,7 @@ namespace symreal {
 
 struct Record {
   std::string array;
-  std::int64_t first, step; // begins at first + step * iteration, the next one behind its elements
+  std::int64_t first, step; // begins at first + step * iteration
   bool is_stored;
 };
 
@@ -24,7 +24,7 @@ public:
   explicit Records(bool are_in_loop) : are_in_loop_(are_in_loop) {}
 
   void add(std::string const &array, reroll::Access const &access, bool is_stored);
-  // When all are added: those with enough elements to be worth a name.
+  // Chooses the records with enough elements to be worth a name, after all accesses are added.
   void choose();
 
   std::vector<Record> const &chosen() const { return chosen_; }
@@ -36,7 +36,7 @@ public:
 
 private:
   bool may_have(reroll::Access const &access) const;
-  // From the first element of a record on, where its last one may be.
+  // Maximum distance of an element from the first element of its record.
   std::int64_t span(std::int64_t step) const;
 
   bool are_in_loop_;

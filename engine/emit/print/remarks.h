@@ -1,14 +1,14 @@
-// Comments on what a kernel rests on.
+// Comments on the assumptions of a kernel: frozen state and guards.
 #pragma once
 
 #include "engine/emit/print/emission.h"
 
 namespace symreal {
 
-// The state that is baked in; empty where none is.
+// Comment on the state that is baked in; empty without such state.
 std::string frozen_remark(Emission const &emission);
 
-// The guards, and what compute returns.
+// Comment on the guards, and the status that compute returns.
 std::string guard_remark(Emission const &emission);
 
 } // namespace symreal

@@ -16,7 +16,7 @@ template <class Test> static bool has_live(Graph const &graph, Test const &test)
   return false;
 }
 
-// A file that is called as what it contains needs a name that the language has.
+// A file whose name is an identifier in its contents needs a valid one.
 static void require_file_name(Language const &language, EmitOptions const &options) {
   bool const names_it = std::ranges::any_of(language.files.companions, [&](Companion const &file) {
     return file.is_named_after_file && options.extras.contains(file.option);
@@ -28,7 +28,7 @@ static void require_file_name(Language const &language, EmitOptions const &optio
            "' is no name there: give another with -o");
 }
 
-// What a bridge cannot hand over.
+// Requirements of calls on bridges.
 template <class Require> static void require_bridges(Graph const &graph, BridgeSyntax const &syntax,
                                                      std::string const &kernel, Require const &require) {
   std::vector<char> const live = live_nodes(graph);

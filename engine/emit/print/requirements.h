@@ -1,4 +1,4 @@
-// What a graph, or an option, wants of a language.
+// Check of a graph and the options against the features of a language.
 #pragma once
 
 #include "engine/emit/language/emitted.h"
@@ -7,7 +7,7 @@
 
 namespace symreal {
 
-// Throws bad_option where the language's table leaves it out.
+// Throws bad_option if the language lacks a feature that the graph or an option requires.
 void require_expressible(Schedule const &plan, Language const &language, EmitOptions const &options);
 
 } // namespace symreal

@@ -20,7 +20,7 @@ void require_in_range(std::string const &of, std::span<double const> values) {
   if (found != values.end()) refuse(of + " " + shortest(*found) + ", and a float ends at 3.4e38");
 }
 
-// Integers that a float, which has 24 bits, does not hold: of 64 bits, and those that wrap at 32.
+// Whether the operation needs integers beyond the 24 bits of a float: of 64 bits, and those that wrap at 32.
 bool is_beyond(Op op) {
   return info(op).has(flag::WIDE | flag::TAKES_WIDE) || op == Op::mul_uint32 || op == Op::wrap_int32 ||
          op == Op::wrap_uint32;
@@ -56,7 +56,7 @@ void require_single(Graph const &graph, Language const &language, EmitOptions co
   std::string const kernel = "kernel '" + graph.kernel + "' ";
   require_operations(kernel, graph);
   for (Table const &table : graph.tables) require_in_range(kernel + "has a table with", table.values);
-  if (!options.extras.contains("mainline")) return; // which alone has the recorded values
+  if (!options.extras.contains("mainline")) return; // only a main program has the recorded values
   require_in_range(kernel + "was recorded with the input", graph.input_values);
   require_in_range(kernel + "was recorded with the parameter", graph.parameter_values);
 }

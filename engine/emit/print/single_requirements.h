@@ -1,4 +1,4 @@
-// What of a graph, or of an option, single precision cannot say.
+// Check of a graph and the options for features that single precision lacks.
 #pragma once
 
 #include "engine/emit/language/emitted.h"
@@ -6,7 +6,7 @@
 
 namespace symreal {
 
-// Throws bad_option where the language has no such numbers, or the kernel needs more than they hold.
+// Throws bad_option if the language lacks single precision, or the kernel needs wider numbers.
 void require_single(Graph const &graph, Language const &language, EmitOptions const &options);
 
 } // namespace symreal

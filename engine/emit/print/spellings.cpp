@@ -8,7 +8,7 @@ namespace symreal {
 
 namespace {
 
-// "merge($y, $z, $x:4)"
+// Parses a pattern such as "merge($y, $z, $x:4)".
 std::vector<Spellings::Piece> parse(std::string_view pattern) {
   std::vector<Spellings::Piece> pieces;
   while (!pattern.empty()) {
@@ -28,14 +28,14 @@ std::vector<Spellings::Piece> parse(std::string_view pattern) {
   return pieces;
 }
 
-// "(double)(int8_t)" is that of the language's numbers.
+// The cast to the language's type of numbers: of "(double)(int8_t)" the first part is replaced.
 std::string cast_of(Language const &language, std::string_view cast) {
   constexpr std::string_view to_double = "(double)";
   if (cast.starts_with(to_double)) cast.remove_prefix(to_double.size());
   return fmt::format("({}){}", language.number.name, cast);
 }
 
-// As the table of operations has it.
+// Pattern according to the operation table.
 std::string usual_pattern(OperationInfo const &operation, Language const &language) {
   static constexpr std::string_view operands = "$x, $y, $z";
   int const precedence = operation.precedence;
@@ -52,14 +52,14 @@ std::string usual_pattern(OperationInfo const &operation, Language const &langua
   case Form::prefix: return fmt::format("{}$x:{}", operation.c, binding::prefix_operand);
   case Form::cast: return cast_of(language, operation.c) + "($x)";
   case Form::infix: {
-    // Comparisons and logic are not mixed without parentheses: compilers warn, and readers stumble.
+    // Comparisons and logic are parenthesised when mixed: compilers warn, and readers stumble.
     bool const arithmetic = precedence >= binding::additive;
     std::string const blank = precedence > binding::additive ? "" : " ";
     return fmt::format("$x:{}{}{}{}$y:{}", arithmetic ? precedence : binding::additive, blank, operation.c, blank,
                        arithmetic ? precedence + 1 : binding::additive);
   }
   case Form::select: return fmt::format("$x:{0} ? $y:{0} : $z:{0}", binding::conditional_operand);
-  case Form::external: break; // by code of its own
+  case Form::external: break; // printed by separate code
   }
   return {};
 }
@@ -76,7 +76,7 @@ Spellings::Spellings(Language const &language) {
   if (language.is_single) make_single(language);
 }
 
-// Numbers are rounded to float as they are; what gives a double is made one that is.
+// In single precision, rounding to float is the identity, and functions that return double get a cast.
 void Spellings::make_single(Language const &language) {
   spellings_[static_cast<std::size_t>(Op::f32)] = {parse("($x)"), 0};
   if (language.single.narrowed.empty()) return;

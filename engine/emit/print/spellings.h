@@ -1,4 +1,4 @@
-// How a language spells each operation: the table of operations, and the language's exceptions to it.
+// Spellings of operations in a language: the table of operations, with the language's exceptions.
 #pragma once
 
 #include "engine/emit/language/language.h"
@@ -11,7 +11,7 @@ namespace symreal {
 
 inline constexpr std::size_t op_count = static_cast<std::size_t>(Op::count);
 
-// How tightly something binds, as the table of operations has it.
+// Binding strengths, as in the table of operations.
 namespace binding {
 inline constexpr int loosest = 0, conditional_operand = 4, additive = 12, unary = 14, prefix_operand = 15;
 }
@@ -33,9 +33,9 @@ public:
 
   Spelling const &operator[](Op op) const { return spellings_[static_cast<std::size_t>(op)]; }
 
-  // What stands in its spelling besides operands.
+  // The text of the spelling without its operands.
   std::string words(Op op) const;
-  // The operation on operands that are text already.
+  // The operation applied to operands given as text.
   std::string apply(Op op, std::string_view x, std::string_view y = {}, std::string_view z = {}) const;
 
 private:

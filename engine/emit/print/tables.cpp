@@ -7,7 +7,7 @@ namespace symreal {
 
 namespace {
 
-// The values from `first` on as lines of an array of this name.
+// The values from `first` on, as the lines of an array of this name.
 std::string print_values(Language const &language, std::string const &name, std::span<double const> values,
                          std::size_t first, std::size_t row) {
   std::string const count = std::to_string(values.size()), mark(language.lines.continuation);
@@ -33,7 +33,7 @@ std::string print_table(Emission const &emission, std::size_t number) {
   std::size_t const most = language.tables.most_values;
   if (most == 0 || values.size() <= most) return text + print_values(language, name, values, 0, row);
   std::string parts;
-  std::size_t width = language.lines.width; // so that the first begins a line
+  std::size_t width = language.lines.width; // makes the first begin a line
   for (std::size_t first = 0; first < values.size(); first += most) {
     std::string const part = language.names.spelled(name + "_" + std::to_string(first / most + 1));
     text += print_values(language, part, values.subspan(first, std::min(most, values.size() - first)), first, row);

@@ -1,4 +1,4 @@
-// The tables of constants that the functions read.
+// Tables of constants for lookups.
 #pragma once
 
 #include "engine/emit/print/emission.h"

@@ -11,7 +11,7 @@
 
 namespace symreal {
 
-// Variables without a name, and the arrays of calls: t1, r1, s1, a1_2.
+// Whether the name has the form of unnamed variables and arrays of calls: t1, r1, s1, a1_2.
 static bool is_numbered(std::string const &name) {
   auto const is_digit = [](char c) { return c >= '0' && c <= '9'; };
   return name.size() > 1 && std::string_view("arst").find(name[0]) != std::string_view::npos && is_digit(name[1]) &&
@@ -28,7 +28,7 @@ static std::vector<std::string> words_in(std::string const &text) {
   return words;
 }
 
-// Macros of <math.h>, <stdint.h> and of the generated file that are no functions.
+// Object-like macros of <math.h>, <stdint.h> and of the generated file.
 static bool is_macro(std::string_view name) {
   static constexpr std::string_view macros[] = {
       "NAN",    "INFINITY", "HUGE_VAL", "HUGE_VALF", "HUGE_VALL", "M_E",    "M_LOG2E",         "M_LOG10E", "M_LN2",
@@ -41,7 +41,7 @@ static bool is_macro(std::string_view name) {
          std::ranges::any_of(beginnings, [&](std::string_view beginning) { return name.starts_with(beginning); });
 }
 
-// Functions and types of the generated file, whose names end in a number.
+// Functions and types of the generated file whose names end in a number.
 static bool is_of_file(Emission const &emission, std::string_view name) {
   for (std::string const &beginning : {emission.name("compute"), emission.name("preprocess"), std::string("load"),
                                        std::string("store"), std::string(emission.language.number.name)}) {
@@ -51,7 +51,7 @@ static bool is_of_file(Emission const &emission, std::string_view name) {
   return false;
 }
 
-// Names of the generated functions' own, besides keywords: arrays, the status, the operations, and words that some
+// Reserved names of the generated functions, besides keywords: arrays, the status, the operations, and words that some
 // compilers predefine.
 static std::set<std::string> own_names(Emission const &emission) {
   std::set<std::string> names = {"input",        "output",       "constants",    "parameters", "v",
@@ -68,7 +68,7 @@ static std::set<std::string> own_names(Emission const &emission) {
   return names;
 }
 
-// Between a name and what makes it another.
+// Separator between a name and its number.
 static char joint(NameRules const &rules) { return rules.has_underscores ? '_' : '$'; }
 
 VariableNames::VariableNames(Emission const &emission, FunctionBody const &body)
@@ -85,7 +85,7 @@ VariableNames::VariableNames(Emission const &emission, FunctionBody const &body)
   for (std::string const &name : emission.bridges) own.insert(rules.key(name));
   for (std::string const &name : graph.names) {
     std::string base = name;
-    // C reserves what begins with an underscore; other letters than ASCII's are not C99.
+    // C reserves names with a leading underscore; C99 has ASCII letters only.
     for (char &c : base)
       if (static_cast<unsigned char>(c) >= 0x80 || !std::isalnum(static_cast<unsigned char>(c))) c = '_';
     if (base.empty() || !std::isalpha(static_cast<unsigned char>(base[0]))) base = "u" + base;

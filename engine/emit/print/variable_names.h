@@ -8,8 +8,8 @@
 
 namespace symreal {
 
-// What the source calls the value, numbered from the second of a name on; t and its number where it has no name.
-// Different from each other and from what else the generated functions use. Takes 8 bytes a variable.
+// Source names of values, with a number from the second use of a name on; t and a number for a value without a name.
+// Distinct from each other and from the other names of the generated functions. Takes 8 bytes a variable.
 class VariableNames {
 public:
   VariableNames(Emission const &emission, FunctionBody const &body);
@@ -27,7 +27,7 @@ private:
   NameRules const *rules_;
   std::string (*written_)(std::string const &);
   std::vector<std::string> bases_; // per name of the graph
-  std::vector<Entry> entries_;     // per variable; empty where nothing has a name
+  std::vector<Entry> entries_;     // per variable; empty if no variable has a name
 };
 
 } // namespace symreal

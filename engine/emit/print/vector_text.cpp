@@ -10,7 +10,7 @@ namespace symreal {
 using lanes::Vector;
 using lanes::VectorId;
 
-// As those of numbers.
+// Nesting limits, as for scalar expressions.
 static constexpr unsigned most_nested_operations = 12, most_nested_depth = 6;
 
 VectorText::VectorText(Emission const &emission, lanes::LaneFunction const &function)
@@ -25,8 +25,8 @@ VectorText::VectorText(Emission const &emission, lanes::LaneFunction const &func
     if (item.is_vector && is_variable(item.id)) names_[item.id] = fmt::format("p{}", number++);
 }
 
-// What is stored, taken apart, shuffled, used more than once, or too large to nest. Constants and numbers that are the
-// same in all lanes stand where they are used.
+// Vectors with variables: stored, taken apart, shuffled, used more than once, or too large to nest. Constants and
+// splats are printed at their use.
 void VectorText::choose_variables() {
   std::vector<Vector> const &vectors = function_.vectors;
   std::vector<unsigned> uses(vectors.size(), 0), size(vectors.size(), 0), depth(vectors.size(), 0);
@@ -103,7 +103,7 @@ public:
         use_(use),
         computed_(computed) {}
 
-  // Nested no deeper than choose_variables lets.
+  // The vector as an expression; choose_variables bounds its nesting.
   Text spelled_out(VectorId id) {
     Vector const &vector = vectors()[id];
     switch (vector.form) {
@@ -138,7 +138,7 @@ private:
                  {{"width", std::to_string(width())}, {"values", fmt::format("{}", fmt::join(values, ", "))}})};
   }
 
-  // Beside a vector, a number stands for a vector of it.
+  // Whether a number can replace the vector beside another vector.
   bool is_number(VectorId id) const {
     Vector const &vector = vectors()[id];
     if (text_.is_variable(id)) return false;
@@ -160,7 +160,7 @@ private:
     bool const both = is_number(vector.operand[0]) && is_number(vector.operand[1]);
     Text const x = operand(vector.operand[0], !both || !vector.subtracts.empty()), y = operand(vector.operand[1], true);
     if (vector.subtracts.empty()) return apply(vector.op, {x, y});
-    std::vector<std::string> signs; // exact in every lane, and nothing that compilers fuse with
+    std::vector<std::string> signs; // exact in every lane, and safe from fusion
     for (char const subtracts : vector.subtracts) signs.push_back(constant(language(), subtracts ? -1 : 1));
     return apply(Op::add, {x, apply(Op::mul, {build(signs), y})});
   }

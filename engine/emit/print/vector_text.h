@@ -1,4 +1,4 @@
-// Vectors as text: nested like numbers, with what is used more than once in variables.
+// Printing of vectors: nested like scalar expressions, with variables for multiple uses.
 #pragma once
 
 #include "engine/emit/print/emission.h"
@@ -13,21 +13,21 @@ class VectorText {
 public:
   VectorText(Emission const &emission, lanes::LaneFunction const &function);
 
-  // Whether the vector is a variable of its own.
+  // Whether the vector has a variable.
   bool is_variable(lanes::VectorId id) const { return is_variable_[id] != 0; }
   std::string name(lanes::VectorId id) const { return names_[id]; }
   std::string type() const { return with_width(language_.vectors.type); }
   std::string lane(lanes::Lane const &lane) const;
   std::string store(lanes::Store const &store, std::string const &array) const;
-  // The value of a variable. `use`: how a node that is computed alone is spelled, or is no operation. The nodes that
-  // the text computes are added to `computed`.
+  // Value of a vector's variable. `use`: spelling of a node that is scalar or a leaf. Adds the nodes that the text
+  // computes to `computed`.
   std::string value(lanes::VectorId id, std::function<std::string(NodeId)> const &use,
                     std::vector<NodeId> &computed) const;
-  // All names that the text may have.
+  // All names that the text may use.
   std::set<std::string> names() const;
 
 private:
-  // Text, and how tightly it binds; 0: needs no parentheses.
+  // Text and its binding strength; 0: needs no parentheses.
   struct Text {
     std::string text;
     int precedence = 0;

@@ -21,9 +21,9 @@ std::string size(Emission const &emission, std::string const &name, std::size_t 
   return fmt::format("pub const {}: usize = {};\n", upper(emission.name(name)), value);
 }
 
-// Where each object begins, in a module: their names are the user's.
+// Offsets of the objects, in a module of their own, since their names are the user's.
 std::string places(Emission const &emission, std::string const &role, std::vector<Object> const &objects) {
-  NameRules const rules{emission.language.names.keywords, /*ignores_case=*/true}; // they become capitals
+  NameRules const rules{emission.language.names.keywords, /*ignores_case=*/true}; // names are converted to capitals
   std::vector<std::string> const names = identifiers(objects, rules);
   std::string text;
   for (std::size_t i = 0; i < objects.size(); ++i)
@@ -48,8 +48,8 @@ std::string matrices(Emission const &emission) {
   return text;
 }
 
-// C's functions, by which every language that calls them computes the same bits. A compiler replaces powers with
-// constant exponents by products that round otherwise, unless it cannot see them.
+// C's functions, for bitwise agreement with the other languages that call them. They are hidden, since a compiler would
+// replace powers with constant exponents by products that round differently.
 std::string library(Emission const &emission) {
   std::span<OperationSpelling const> const exceptions = emission.language.expressions.operations;
   std::string const real(emission.language.number.name);

@@ -9,7 +9,7 @@ namespace symreal {
 
 namespace {
 
-// The functions of integer_functions.def in Rust, in its order.
+// The functions of integer_functions.def in Rust, in the same order.
 struct Function {
   std::string_view name, head, body;
   bool calls_wide_int = false;

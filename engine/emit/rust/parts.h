@@ -5,11 +5,11 @@
 
 namespace symreal {
 
-// Sizes, where objects begin, the mathematical library, integers.
+// Sizes, object offsets, the mathematical library, integer functions.
 std::string rust_begin(Emission const &emission);
-// The integer functions that the kernel's functions call.
+// Integer functions that the kernel's functions call.
 std::string rust_integer_functions(Emission const &emission);
-// With guards: the function that gives their texts.
+// Function that returns the texts of guards, if there are guards.
 std::string rust_end(Emission const &emission);
 std::string rust_mainline(Emission const &emission);
 

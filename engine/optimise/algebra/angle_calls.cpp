@@ -7,7 +7,7 @@ namespace symreal::algebra {
 
 namespace {
 
-// Of what the roots need, functions included.
+// Cost of all live nodes, functions included.
 double total_cost(Network const &network, CostModel const &costs) {
   std::vector<char> const live = live_nodes(network);
   double sum = 0;
@@ -26,7 +26,7 @@ double total_cost(Network const &network, CostModel const &costs) {
   return sum;
 }
 
-// Two angles whose sum or difference the network has the sine or cosine of, and its point.
+// Two angles with a node that equals the sine or cosine of their sum or difference, and the point of that angle.
 struct Candidate {
   Index a, b;
   bool is_minus;
@@ -71,7 +71,7 @@ private:
     if (candidate.sine || candidate.cosine) found.push_back(candidate);
   }
 
-  // Computed after the angles, and resting on them.
+  // The node with this value if it is computed after both angles and has their hazards, else nullopt.
   std::optional<Literal> find(Value const &value, Index a, Index b) const {
     std::optional<Literal> const literal = network_.find(value);
     if (!literal) return std::nullopt;

@@ -19,7 +19,7 @@ bool is_good(std::map<Index, int> const &quarters) {
          std::ranges::all_of(quarters, [](auto const &part) { return std::abs(part.second) <= most_quarters; });
 }
 
-// How many quarters of a node the product of a number with so many quarters is; 0 if it is no whole number of them.
+// Quarters of a node in `number` times `quarters` of it; 0 if they are not a whole number.
 int times(NetworkNode const &number, int quarters) {
   long double const value = number.value.number[0] * quarters;
   bool const is_whole = std::fabs(value) <= most_quarters && std::nearbyint(value) == value;

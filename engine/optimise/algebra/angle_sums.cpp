@@ -13,16 +13,16 @@ constexpr int most_weight = 8;
 
 enum Part : std::size_t { sines, cosines };
 
-// An angle is `sign_a` a + `sign_b` b.
+// The angle +-a +-b.
 struct Sum {
   std::size_t a = 0, b = 0;
   bool is_minus_a = false, is_minus_b = false;
 };
 
-// How an angle's sine and cosine are made: by calls, or from those of two others.
+// Plan of an angle's sine and cosine: by calls, or derived from two other angles.
 struct Plan {
   Angle angle;
-  int weight = 1; // how many angles are called for it, with their multiplicity
+  int weight = 1; // number of angles with calls, by multiplicity
   bool is_derived = false, is_free = false;
   Sum sum = {};
   bool is_there[2] = {};
@@ -39,7 +39,7 @@ public:
   std::vector<Plan> plans;
 
 private:
-  // Of what depends on an input; simple angles come first, since others are made of them.
+  // Size of the part that depends on inputs; simple angles come first, since others derive from them.
   int size_of(AngleForm const &form) const {
     int sum = 0;
     for (auto const &[atom, quarters] : form)
@@ -51,7 +51,7 @@ private:
     Plan plan{.angle = std::move(angle)};
     plan.is_there[sines] = plan.angle.sine != no_index;
     plan.is_there[cosines] = plan.angle.cosine != no_index;
-    double best = 0; // saved
+    double best = 0; // largest saving
     std::size_t const known = plans.size();
     Plan chosen = plan;
     for (std::size_t a = 0; a < known; ++a) {
@@ -77,14 +77,14 @@ private:
     plans.push_back(std::move(chosen));
   }
 
-  // The first one is computed before the functions of the other are needed, and rests on nothing else.
+  // Whether `part` is computed before the functions of `plan` and has a subset of its hazards.
   bool may_use(Plan const &plan, Plan const &part) const {
     Index const first = std::min(plan.angle.sine, plan.angle.cosine);
     return part.angle.node < first &&
            network_.hazards().is_subset(network_[part.angle.node].hazards, network_[plan.angle.node].hazards);
   }
 
-  // The angle of this form, or its negative; of one that depends on parameters alone there is always one.
+  // The angle of this form or its negative. Adds a plan for a form that depends on parameters alone.
   std::optional<std::pair<std::size_t, bool>> find(Plan const &plan, AngleForm const &form) {
     for (bool is_negative : {false, true}) {
       auto const found = by_form_.find(is_negative ? -form : form);
@@ -102,7 +102,7 @@ private:
     return std::pair(plans.size() - 1, false);
   }
 
-  // What it takes for this part of an angle to be there.
+  // Cost of making this part of an angle available.
   double cost_of(std::size_t angle, Part part) const {
     Plan const &plan = plans[angle];
     if (plan.is_there[part]) return 0;
@@ -119,10 +119,10 @@ private:
     for (std::size_t of : {sum.a, sum.b}) cost += cost_of(of, sines) + cost_of(of, cosines);
     return cost;
   }
-  // Of 2 a the sine is 2 s c, the cosine 1 - 2 s^2 or 2 c^2 - 1.
+  // Double angle: sin 2a = 2 s c, cos 2a = 1 - 2 s^2 or 2 c^2 - 1.
   static bool is_double(Sum const &sum) { return sum.a == sum.b && sum.is_minus_a == sum.is_minus_b; }
 
-  // Parts that both the sine and the cosine need are counted twice, so it may save more.
+  // A lower bound: parts that sine and cosine share are counted twice.
   double saving(Plan const &plan) const {
     double saved = 0;
     if (plan.is_there[sines]) saved += costs_[Op::sin] - cost_of(plan.sum, sines);
@@ -181,7 +181,7 @@ public:
 private:
   Literal now(Literal old) const { return now_[old.node()].negated_if(old.is_negative()); }
 
-  // The depth of the recursion is bounded by the weight.
+  // The weight bounds the recursion depth.
   Literal part(std::size_t number, Part which) {
     std::optional<Literal> &known = made_[number][which];
     if (!known) known = make(plans_[number], which);
@@ -227,7 +227,7 @@ void relate(AngleForm const &form, Network const &network) {
   network.context()->angles.add(sum, parts);
 }
 
-// Points of the field for the angles, as far as they have something in common.
+// Sets field points of the angles that share atoms with others.
 void relate(std::vector<Angle> const &angles, Network const &network) {
   std::map<Index, int> uses;
   for (Angle const &angle : angles)
@@ -242,7 +242,7 @@ void relate(std::vector<Angle> const &angles, Network const &network) {
 
 Network with_angle_sums(Network const &network, CostModel const &costs) {
   std::vector<Angle> const angles = angles_of(network);
-  constexpr std::size_t most_angles = 200; // any two of them are tried
+  constexpr std::size_t most_angles = 200; // all pairs are tried
   if (angles.size() > most_angles || !are_related(angles, network)) return network;
   relate(angles, network);
   Planning const planning(network, costs);

@@ -51,7 +51,7 @@ void Angles::add(Value const &sum, std::span<AnglePart const> parts) {
   for (std::size_t k = 0; k < field_points; ++k) {
     Rotation all;
     for (AnglePart const &part : parts) {
-      // The hashed point of the part is that of a quarter of it.
+      // The hashed point of the part represents a quarter of it.
       Rotation const quarter = {algebra::sine(part.angle).field[k], algebra::cosine(part.angle).field[k]};
       all = all * power(quarter, part.quarters);
     }

@@ -1,8 +1,8 @@
-// The points of the unit circle over the field that stand for angles.
+// Angles as points of the unit circle over the prime field.
 //
-// An angle's point depends on its value alone, and looks random. Only where angles are integer combinations of others,
-// or of quarters of them, their points are the products of those others' points: so the field shows that
-// sin(a + b) = sin(a) cos(b) + cos(a) sin(b), and structure recovery finds it as it finds all else.
+// A pseudorandom function of an angle's value gives its point. Related angles are the exception: for integer
+// combinations of others or of their quarters the point is the product of those points. So the field satisfies sin(a +
+// b) = sin(a) cos(b) + cos(a) sin(b), and structure recovery finds it like any other identity.
 #pragma once
 
 #include "engine/optimise/algebra/value.h"
@@ -12,7 +12,7 @@
 
 namespace symreal::algebra {
 
-// quarters / 4 of an angle.
+// The angle times quarters / 4.
 struct AnglePart {
   Value angle;
   int quarters;
@@ -23,9 +23,9 @@ public:
   Value sine(Value const &angle) const;
   Value cosine(Value const &angle) const;
 
-  // From now on, the point of the angle with this value, the sum of the parts, is the product of their points;
+  // Makes the product of the parts' points the point of their sum `sum`.
   void add(Value const &sum, std::span<AnglePart const> parts);
-  // is this one.
+  // Sets the point of an angle.
   void set(Value const &angle, Value const &sine, Value const &cosine);
 
 private:
@@ -34,7 +34,7 @@ private:
   };
   Point const *find(Value const &angle) const;
 
-  std::unordered_map<std::uint64_t, Point> points_; // by Value::key
+  std::unordered_map<std::uint64_t, Point> points_; // keyed by Value::key
 };
 
 } // namespace symreal::algebra

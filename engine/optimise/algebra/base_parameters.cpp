@@ -10,14 +10,14 @@ namespace symreal::algebra {
 
 namespace {
 
-// Rows with a 1 where each begins, and 0 in the columns where others begin.
+// Reduced row echelon form: each row starts with a 1, in a column that is 0 in all other rows.
 class Elimination {
 public:
   explicit Elimination(std::size_t columns) : pivot_row_(columns, none) {}
 
   std::size_t rank() const { return rows_.size(); }
   bool is_base(std::size_t column) const { return pivot_row_[column] != none; }
-  // How much of column `base` there is in `column`.
+  // Coefficient of column `base` in `column`.
   Residue share(std::size_t base, std::size_t column) const { return rows_[pivot_row_[base]][column]; }
 
   void add(std::vector<Residue> row) {
@@ -45,17 +45,17 @@ private:
   std::vector<std::size_t> pivot_row_; // per column
 };
 
-// The same shares as numbers, by least squares: Householder's reflections, since what is eliminated in a given order
+// The same coefficients as numbers, by least squares with Householder reflections, since elimination in a given order
 // loses digits.
 class LeastSquares {
 public:
   using Row = std::vector<long double>;
-  // Rows of the base columns, each with the other columns behind them.
+  // `rows` hold the base columns, then the other columns.
   LeastSquares(std::vector<Row> rows, std::size_t base) : rows_(std::move(rows)), base_(base) {
     for (std::size_t column = 0; column < base_; ++column) reflect(column);
   }
 
-  // Of column `base_ + other`, how much of each base column there is.
+  // Coefficients of the base columns in column `base_ + other`.
   Row shares(std::size_t other) const {
     Row result(base_, 0);
     for (std::size_t i = base_; i-- > 0;) {
@@ -88,7 +88,7 @@ private:
   std::size_t base_;
 };
 
-// One parameter that can be left out, and what of it goes to which others.
+// A redundant parameter, and its shares in other parameters.
 struct LeftOut {
   std::size_t column;
   std::vector<std::pair<std::size_t, Value>> shares;
@@ -130,7 +130,7 @@ std::vector<LeftOut> find_left_out(ParameterColumns &columns) {
       value.number.fill(shares[i]);
       result.back().shares.emplace_back(order[i], value);
     }
-    if (result.back().shares.empty()) result.pop_back(); // it is used by other parameters alone
+    if (result.back().shares.empty()) result.pop_back(); // only other parameters use it
   }
   return result;
 }
@@ -175,7 +175,7 @@ private:
 
 std::optional<Network> with_base_parameters(Network const &network, std::size_t *too_many) {
   constexpr std::size_t most_parameters = 400;
-  constexpr std::uint64_t most_work = 1'000'000'000; // if each point shows one parameter
+  constexpr std::uint64_t most_work = 1'000'000'000; // if each point raises the rank by one
   ParameterColumns columns(network);
   std::size_t const count = columns.parameters().size();
   if (count == 0) return std::nullopt;

@@ -1,7 +1,7 @@
-// What could be computed once: sums of two terms, which divide other sums, and products of two atoms.
+// Candidates for common subexpressions: sums of two terms that divide other sums, and products of two atoms.
 //
-// In the language of logic synthesis: two-term kernels and two-literal cubes, found as in the fast extraction of
-// Rajski and Vasudevamurthy. Each candidate knows how many operations it saves.
+// In terms of logic synthesis: two-term kernels and two-literal cubes, found as in the fast extraction of Rajski and
+// Vasudevamurthy. Each candidate counts the operations that it saves.
 #pragma once
 
 #include "engine/optimise/algebra/key_table.h"
@@ -17,32 +17,32 @@ using CandidateId = std::uint32_t;
 
 struct Candidate {
   std::uint64_t key;
-  bool is_pair; // of atoms, in a product
+  bool is_pair; // a product of two atoms, else a sum
   std::uint32_t first_atom, second_atom;
-  int saving = 0; // over all its uses
-  int cost;       // of computing it once
-  int level = 0;  // under which it waits
+  int saving = 0; // total of all uses
+  int cost;       // of one computation
+  int level = 0;  // current bucket
   std::uint32_t last_use = KeyTable::none;
 
   int gain() const { return saving - cost; }
 };
 
-// Candidates in buckets by their gain. A gain that has fallen since is noticed when its turn comes.
+// Bucket queue of candidates by gain. An outdated gain is corrected when its candidate is taken.
 class Candidates {
 public:
-  // `noise`: how often a candidate near the best is taken. `sums_first`: of equal gains a sum is.
+  // `noise` is the probability of a near-best candidate. `sums_first` breaks ties in favour of sums.
   Candidates(std::mt19937_64 &random, double noise, bool sums_first)
       : random_(random),
         noise_(noise),
         sums_first_(sums_first) {}
 
-  // The candidate with this key gains or loses a use in an expression.
+  // Adds or removes a use of the candidate with this key.
   void add(Candidate const &made, int saving, std::uint32_t expression);
   void remove(std::uint64_t key, int saving);
 
-  // The best, or nearly; nothing where none saves anything.
+  // The best or a near-best candidate; nullopt if no candidate saves anything.
   std::optional<Candidate> take();
-  // The expressions that may use it, in order.
+  // Expressions that may use the candidate, ascending.
   std::vector<std::uint32_t> uses(Candidate const &candidate) const;
 
 private:
@@ -59,7 +59,7 @@ private:
   KeyTable numbers_;
   std::vector<Candidate> candidates_;
   std::vector<Use> uses_;
-  std::vector<std::vector<CandidateId>> waiting_; // by level
+  std::vector<std::vector<CandidateId>> waiting_; // indexed by level
   int highest_ = 0;
 };
 

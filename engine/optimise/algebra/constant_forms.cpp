@@ -7,7 +7,7 @@ namespace symreal::algebra {
 
 namespace {
 
-// From a number to how many of the next ones it is compared with: all of them, where the work allows that.
+// Number of successors that each constant is compared with; all if the budget `pairs` allows.
 std::size_t reach(std::size_t least, std::size_t pairs, std::size_t count) {
   return std::max(least, pairs / std::max<std::size_t>(count, 1));
 }
@@ -46,7 +46,7 @@ void ConstantForms::look_at_pairs() {
   }
 }
 
-// A block of constants at a time: for each number and each other one the products that can make up the difference.
+// Searches block by block: for each pair of constants, products that make up their difference.
 void ConstantForms::look_at_products() {
   std::size_t const length = reach(150, 1'000'000, constants_.size());
   for (std::size_t first = 0, end = 0; end < constants_.size(); first += length / 2) {
@@ -71,7 +71,7 @@ void ConstantForms::look_at_products() {
   }
 }
 
-// Whether `constant` is `other`, or comes from it.
+// Whether `constant` is `other` or derived from it, to this depth.
 bool ConstantForms::rests_on(double constant, double other, int depth) const {
   constant = std::fabs(constant);
   if (constant == 0) return false;
@@ -90,8 +90,7 @@ void ConstantForms::propose(double value, ConstantForm const &form) {
     return other != KeyTable::none && other >= place;
   };
   if (only_earlier_ && (is_later(form.a) || is_later(form.b) || is_later(form.c))) return;
-  // Numbers of a few bits are what they are, sums and products of others everywhere; but for what rounding has left of
-  // a difference.
+  // Constants of few bits are sums and products of others by chance, unless rounding left them of a difference.
   double const shifted = std::ldexp(value, 20 - std::ilogb(value));
   if (shifted == std::floor(shifted) && value > 0x1p-50 * std::fabs(form.a)) return;
   if (rests_on(form.a, value, deepest) || rests_on(form.b, value, deepest) || rests_on(form.c, value, deepest)) return;

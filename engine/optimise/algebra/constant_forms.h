@@ -1,10 +1,9 @@
-// How the numbers of a program come from one another.
+// Constant forms: derivation of a program's constants from one another.
 //
-// The program rounded what it computed from constants alone before anything was recorded: where it multiplied a mass by
-// an offset, the graph has one number. Algebra that does not see the product does not see that the two halves of a
-// matrix are equal, nor that what should be 0 is. So a number that is, to the last bit, the rounded sum, product or
-// quotient of others, or a product added to a number, is taken for what it is the rounding of. That this is so by
-// chance has probability 2^-52 for each pair of numbers.
+// The compiler rounded constant expressions before recording: where the source multiplied a mass by an offset, the
+// graph has one number. Without the product, algebra cannot see that the two halves of a matrix are equal, nor that a
+// difference is 0. So a constant that is, to the last bit, the rounded sum, product or quotient of others, or a product
+// added to a number, is replaced by that form. A chance match has probability 2^-52 per pair of numbers.
 #pragma once
 
 #include "engine/optimise/algebra/key_table.h"
@@ -19,7 +18,7 @@ namespace symreal::algebra {
 
 enum class FormKind : std::uint8_t { sum, product, quotient, sum_with_product };
 
-// a + b, a * b, a / b, or a + b * c, or the negative of that.
+// a + b, a * b, a / b, or a + b * c, up to sign.
 struct ConstantForm {
   FormKind kind;
   double a, b, c = 0;
@@ -27,11 +26,11 @@ struct ConstantForm {
 
 class ConstantForms {
 public:
-  // Magnitudes, in the order in which they occur; of thousands, those far apart are not compared. Of several forms
-  // that fit, one of earlier numbers is taken: a quotient is known by its dividend, not the other way round.
+  // `constants` are magnitudes in order of occurrence; among thousands, only near ones are compared. Of several
+  // matching forms one of earlier constants wins: a quotient is derived from its dividend, not the reverse.
   explicit ConstantForms(std::span<double const> constants);
 
-  // Null for a number that is none of these. Forms of forms come to an end.
+  // The form of a constant, else null. Forms do not form cycles.
   ConstantForm const *find(double magnitude) const;
 
 private:
@@ -44,11 +43,11 @@ private:
   void look_at_products();
   void propose(double value, ConstantForm const &form);
   bool rests_on(double constant, double other, int depth) const;
-  // Among the constants; KeyTable::none for a magnitude that is not one of them.
+  // Index among the constants; KeyTable::none if absent.
   std::uint32_t place_of(double magnitude) const { return place_.find(std::bit_cast<std::uint64_t>(magnitude)); }
 
   std::vector<double> constants_;
-  std::vector<std::optional<ConstantForm>> forms_; // of each
+  std::vector<std::optional<ConstantForm>> forms_; // per constant
   KeyTable place_;
   bool only_earlier_ = true;
 };

@@ -1,4 +1,4 @@
-// What all networks that are made of one graph have in common.
+// Context that all networks of one graph share.
 #pragma once
 
 #include "engine/ops/cost_model.h"
@@ -16,7 +16,7 @@ struct Context {
     division = other > 0 ? static_cast<int>(std::lround(std::clamp(costs[Op::div] / other, 1.0, 100.0))) : 1;
   }
 
-  int division; // what a quotient costs beside sums and products, which cost 1
+  int division; // cost of a quotient; sums and products cost 1
   HazardSets hazards;
   Angles angles;
 };

@@ -8,7 +8,7 @@ namespace symreal::algebra {
 namespace {
 
 constexpr std::size_t longest_sum = 60;
-// Of atoms: the powers of a chain of squarings would double from one to the next.
+// In atoms. Without it, each squaring in a chain would double the powers.
 constexpr std::size_t longest_product = 64;
 
 std::size_t longest_term(Sum const &sum) {
@@ -67,7 +67,7 @@ private:
     return terms.size() <= static_cast<std::size_t>(settings_.sum_size) && uses_[node] <= settings_.most_uses;
   }
 
-  // What a literal adds to its user: itself, or its terms.
+  // Terms that a literal contributes to its user: its atom, or its expansion.
   Sum terms_of(Literal literal) {
     Sum sum;
     if (literal.node() == network_.zero().node()) return sum;
@@ -83,7 +83,7 @@ private:
     return sum;
   }
 
-  // The factors of what is free, each an atom.
+  // Factors of a free node, each an atom.
   Term constant(Index index) {
     std::vector<Atom> factors;
     std::vector<Index> open = {index};
@@ -123,14 +123,14 @@ private:
     return collected(product);
   }
 
-  // The operand gets an expression of its own after all.
+  // Gives the operand an expression of its own.
   void close(Literal operand, Sum &terms) {
     if (!is_expandable(network_[operand])) return;
     is_root_[operand.node()] = 1;
     terms = terms_of(operand);
   }
 
-  // Equal products once.
+  // Merges equal products.
   static Sum collected(Sum const &sum) {
     Sum result;
     for (Term const &term : sum) {
@@ -144,7 +144,7 @@ private:
     return result;
   }
 
-  // Where an expression rests on what another was before that got its own, both are there.
+  // An expression may use the expansion of a node that was closed later; this marks the expressions that are used.
   void mark_needed() {
     is_needed_.assign(network_.size(), 0);
     for (auto index = static_cast<Index>(network_.size()); index-- > 0;) {

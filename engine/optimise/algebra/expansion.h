@@ -1,21 +1,20 @@
-// A network as sums of products, with parentheses multiplied out.
+// Expansion of a network into sums of products.
 #pragma once
 
 #include "engine/optimise/algebra/term.h"
 
 namespace symreal::algebra {
 
-// Which nodes keep an expression of their own: results, what is divided or handed to a function, and what has several
-// users, unless it is small. The alternation between multiplying out and extracting is what finds structure; no single
-// setting does.
+// Nodes that keep an expression of their own: roots, operands of quotients and functions, and nodes with several users,
+// unless these are small. Alternating between expansion and extraction finds structure; any single setting finds less.
 struct ExpansionSettings {
-  int product_size = 0; // a product of at most so many atoms is repeated in all of its users
-  int sum_size = 3;     // so is a sum of at most so many terms,
-  int most_uses = 4;    // if it has at most so many users
-  int most_terms = 30;  // beyond which no product is multiplied out
+  int product_size = 0; // products of at most this many atoms are duplicated into all users
+  int sum_size = 3;     // so are sums of at most this many terms
+  int most_uses = 4;    // and at most this many users
+  int most_terms = 30;  // limit on the terms of an expanded product
 };
 
-// The value of an atom.
+// Definition of an atom as a sum of products.
 struct Expression {
   Atom atom;
   Sum terms;
@@ -24,8 +23,8 @@ struct Expression {
 struct Expansion {
   TermStore store;
   std::vector<Expression> expressions;        // operands before their users
-  std::vector<std::pair<Atom, int>> integers; // atoms that are whole numbers
-  Atom atoms = 0;                             // how many there are; the first are the nodes of the network
+  std::vector<std::pair<Atom, int>> integers; // integer atoms
+  Atom atoms = 0;                             // their number; the network's nodes come first
 };
 Expansion expand(Network const &network, ExpansionSettings const &settings);
 

@@ -8,7 +8,7 @@ namespace {
 
 std::uint64_t key_of_product(Atom p, Atom q) { return mixed((std::uint64_t{p} << 32 | q) ^ 0xA5A5A5A5u); }
 
-// Of hash `a` and `b` the one that is less stands first in a divisor.
+// The term with the smaller hash comes first in a divisor.
 std::uint64_t key_of_sum(std::uint64_t a, std::uint64_t b, bool minus) {
   if (b < a) std::swap(a, b);
   return mixed(mixed(a) + b + static_cast<std::uint64_t>(minus));
@@ -28,12 +28,12 @@ void Extraction::run() {
   }
 }
 
-// Whether what is left of both is made of parameters and numbers.
+// Whether the cofactors of both terms contain only parameters and numbers.
 bool Extraction::is_free(Term const &x, Term const &y, Common const &common) {
   return x.variables == common.variables && y.variables == common.variables;
 }
 
-// Both terms without what they have in common, the sign of the first being plus.
+// Sum of both terms without their common part, normalised to a positive first term.
 Candidate Extraction::divisor(Term const &x, Term const &y, Common const &common) const {
   auto multiplications = [&](Term const &term) {
     int const constants = term.constants - common.constants;
@@ -61,7 +61,7 @@ void Extraction::count_pair(ExpressionId id, Term const &x, Term const &y, int s
 
 bool Extraction::may_join(Term const &term, Atom p, Atom q) const {
   bool const p_constant = store_.is_constant(p), q_constant = store_.is_constant(q);
-  if (p_constant && q_constant) return false; // costs nothing
+  if (p_constant && q_constant) return false; // free
   return (!p_constant && !q_constant) || term.constants == 1;
 }
 
@@ -82,7 +82,7 @@ void Extraction::count_atoms(ExpressionId id, Term const &term, int sign) {
   }
 }
 
-// All that has to do with one term of an expression.
+// Counts all candidates of one term of an expression.
 void Extraction::count_term(ExpressionId id, std::size_t at, int sign) {
   Sum const &terms = expansion_.expressions[id].terms;
   for (std::size_t other = 0; other < terms.size(); ++other)
@@ -131,7 +131,7 @@ void Extraction::extract_product(Candidate const &candidate) {
       std::vector<Atom> rest(atoms.begin(), atoms.end());
       rest.erase(std::ranges::find(rest, p));
       rest.erase(std::ranges::find(rest, q));
-      rest.push_back(made); // the youngest
+      rest.push_back(made); // the highest atom, so the list stays sorted
       remove_term(id, at);
       Term product = store_.make(rest);
       product.coefficient = term.coefficient;
@@ -142,7 +142,7 @@ void Extraction::extract_product(Candidate const &candidate) {
   count(define({store_.make(both)}));
 }
 
-// The atoms of a term that are not among those of the other.
+// Atoms of `term` that `other` lacks, as a term.
 Term Extraction::without(Term const &term, Term const &other) {
   std::vector<Atom> rest;
   std::ranges::set_difference(store_.atoms(term), store_.atoms(other), std::back_inserter(rest));

@@ -1,4 +1,4 @@
-// Common divisors of sums of products, taken out one after the other.
+// Extraction of common divisors from sums of products, one at a time.
 #pragma once
 
 #include "engine/optimise/algebra/candidates.h"

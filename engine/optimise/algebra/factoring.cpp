@@ -8,7 +8,7 @@ namespace symreal::algebra {
 
 namespace {
 
-// A network of the expressions, and of what they rest on in the old one.
+// Builds a network from the expressions and the old nodes that they use.
 class Assembly {
 public:
   Assembly(Network const &old, Expansion const &expansion)
@@ -41,7 +41,7 @@ private:
       for (Atom factor : expansion_.store.atoms(term)) visit(factor);
   }
 
-  // What it needs first; an explicit stack, since expressions are deep.
+  // Builds operands first; uses an explicit stack, since expressions are deep.
   void make(Atom root) {
     std::vector<Atom> open = {root};
     while (!open.empty()) {
@@ -95,7 +95,7 @@ Network factored(Network const &network, FactoringSettings const &settings, Sear
   Candidates candidates(search.random, settings.noise, settings.sums_first);
   Extraction(expansion, candidates, search).run();
   Network result = Assembly(network, expansion).run();
-  // Equal hashes of different terms would have made it something else.
+  // A hash collision between terms would have changed a value.
   for (std::size_t i = 0; i < network.roots.size(); ++i)
     if (!equal_in_field(result.value(result.roots[i]), network.value(network.roots[i]))) return network;
   return result;

@@ -1,6 +1,5 @@
-// Algebraic factoring: parentheses are multiplied out, and common divisors extracted, the one that saves most first.
-// After Brayton and McMullen, "The decomposition and factorization of Boolean expressions" (1982), with integers for
-// coefficients.
+// Algebraic factoring: expands parentheses, then extracts common divisors, the most profitable first. After Brayton and
+// McMullen, "The decomposition and factorization of Boolean expressions" (1982), with integer coefficients.
 #pragma once
 
 #include "engine/optimise/algebra/expansion.h"
@@ -14,7 +13,7 @@ struct FactoringSettings {
   bool sums_first = false;
 };
 
-// A network with the same roots; it may be larger. The same for the same state of the search.
+// A network with the same roots, possibly larger. Deterministic for a given state of the search.
 Network factored(Network const &network, FactoringSettings const &settings, Search &search);
 
 } // namespace symreal::algebra

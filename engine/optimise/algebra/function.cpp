@@ -1,5 +1,5 @@
-// What algebra knows of functions: of sine and cosine what it is at points of the unit circle, of others whether they
-// are odd or even, and where they are defined.
+// Algebraic properties of functions: sine and cosine at points of the unit circle, parity, and domains of other
+// functions.
 #include "engine/optimise/algebra/network.h"
 
 #include <algorithm>
@@ -29,14 +29,14 @@ Parity parity_of(Op op) {
   }
 }
 
-// Defined, and finite, wherever its operands are. A select shields its arms, so it counts as an operation of its own.
+// Whether the operation is finite for all finite operands. A select shields its arms, so it counts as partial.
 bool is_total(Op op) {
-  bool const is_exact = op == Op::add || op == Op::sub || op == Op::mul; // arithmetic that algebra may not touch
+  bool const is_exact = op == Op::add || op == Op::sub || op == Op::mul; // exact arithmetic
   return is_exact || op == Op::sin || op == Op::cos ||
          (info(op).has(flag::QUIET) && op != Op::select && op != Op::wide_select);
 }
 
-// At each point something that looks random, by what the operands are there.
+// Pseudorandom value at each point, keyed by the operands' values there.
 Value opaque_value(Function const &function, Network const &network) {
   Value result{};
   std::uint64_t all = function.origin;
@@ -58,7 +58,7 @@ Literal Network::function(Function made) {
     made.operands[0] = -made.operands[0];
     negative = parity == Parity::odd;
   }
-  // What it is of constants is not known here.
+  // A function of constants is not folded here.
   Attribute attribute = info(made.op).has(flag::EFFECT) ? Attribute::variable : Attribute::parametric;
   HazardSet rests_on = no_hazard;
   for (std::size_t i = 0; i < made.arity; ++i) {
@@ -74,7 +74,7 @@ Literal Network::function(Function made) {
   else
     node.value = opaque_value(made, *this);
   if (!is_total(made.op)) {
-    // Of what its operands rest on, it shields all but the inputs.
+    // A partial function shields its operands' hazards except the inputs.
     HazardSet const itself = hazards().of_operation(node.value.key() << 1 | 1);
     node.hazards = hazards().unite(hazards().inputs_in(rests_on), itself);
   }

@@ -10,7 +10,7 @@ namespace symreal::algebra {
 
 namespace {
 
-// Nodes of a graph on nodes of a network.
+// Maps nodes of a graph to literals of a network.
 class Import {
 public:
   Import(Graph const &graph, Network &network) : graph_(graph), network_(network), now_(graph.nodes.size()) {}
@@ -67,7 +67,7 @@ private:
     return std::isfinite(value) ? number(value) : exact(id);
   }
 
-  // A number with what it comes from.
+  // A constant in terms of its form.
   Literal number(double signed_value) {
     double const value = std::fabs(signed_value);
     bool const negative = signed_value < 0;
@@ -85,7 +85,7 @@ private:
     return made.negated_if(negative != made_negative);
   }
 
-  // As it is written, for what is no algebra.
+  // A constant without its form, for operations that are opaque to algebra.
   Literal exact(NodeId id) {
     double const value = graph_.nodes[id].value();
     if (std::isfinite(value) && (value != 0 || !std::signbit(value))) return network_.constant(value);
@@ -118,7 +118,7 @@ public:
   }
   NodeTable &table() { return table_; }
   std::vector<NodeId> const &nodes() const { return now_; }
-  // Operations that algebra would know.
+  // Arithmetic operations that were imported as exact.
   std::vector<NodeId> const &exact() const { return exact_; }
 
 private:
@@ -142,7 +142,7 @@ private:
     } else if (node.kind == Kind::sum) {
       NodeId const b = now_[node.b.node()];
       bool const minus = node.b.is_negative();
-      if (table_[now_[node.a.node()]].is_constant() && !minus) // a number stands behind
+      if (table_[now_[node.a.node()]].is_constant() && !minus) // constants are second operands
         id = table_.intern(table_.operation(Op::add, b, now_[node.a.node()]));
       else
         id = table_.intern(table_.operation(minus ? Op::sub : Op::add, now_[node.a.node()], b));
@@ -172,8 +172,7 @@ Network network_of(Graph const &graph, CostModel const &costs) {
 std::optional<Graph> graph_of(Network const &network, Graph const &graph) {
   Export made(network, graph);
   if (!made.run()) return std::nullopt;
-  // What the old nodes were called and where they stood, and that they are exact, is that of the new ones with the same
-  // value.
+  // Names, locations and exactness of the old nodes carry over to the new nodes of equal value.
   Network values(network.context());
   Import old(graph, values);
   std::vector<NodeId> now(graph.nodes.size(), no_node);

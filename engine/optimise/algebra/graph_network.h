@@ -1,4 +1,4 @@
-// From a graph to a network and back.
+// Conversion between graphs and networks.
 #pragma once
 
 #include "engine/graph/graph.h"
@@ -9,12 +9,11 @@
 
 namespace symreal::algebra {
 
-// Sums, differences, products, quotients and changes of sign are algebra, but for operations that are exact, which stay
-// as they are written. All else is opaque. The roots are those of the graph, in its order.
+// Network of a graph. Sums, differences, products, quotients and negations are algebra unless exact; all other
+// operations are opaque. The roots are those of the graph, in its order.
 Network network_of(Graph const &graph, CostModel const &costs = usual_costs());
 
-// The graph that computes what `graph` did, as the network does. Nothing where a number in it is beyond those of
-// doubles.
+// Graph of a network, equivalent to `graph`. Returns nullopt if a constant exceeds the range of a double.
 std::optional<Graph> graph_of(Network const &network, Graph const &graph);
 
 } // namespace symreal::algebra

@@ -1,4 +1,4 @@
-// From keys of 64 bits that are spread evenly, or nearly, to numbers.
+// Hash table from 64-bit keys of nearly uniform distribution to numbers.
 #pragma once
 
 #include "engine/optimise/algebra/prime_field.h"
@@ -20,7 +20,7 @@ public:
   }
 
   std::uint32_t find(std::uint64_t key) const { return entries_[place_of(key)].number; }
-  // The number of this key; `none` if it is new. The reference is good until the next call.
+  // The number of a key, `none` for a new one. The next call invalidates the reference.
   std::uint32_t &operator[](std::uint64_t key) {
     if (2 * (used_ + 1) > entries_.size()) grow();
     Entry &entry = entries_[place_of(key)];

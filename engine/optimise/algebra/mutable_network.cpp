@@ -5,7 +5,7 @@
 
 namespace symreal::algebra {
 
-// As many nodes as a window of the search has.
+// The length of the largest window of the search.
 static constexpr std::size_t farthest = 1000;
 
 MutableNetwork::MutableNetwork(Network const &network) : source_(network), by_value_(network.size()) {
@@ -40,7 +40,7 @@ Index MutableNetwork::find(Residue first) const {
   return node != KeyTable::none && is_alive(node) ? node : no_index;
 }
 
-// What no root needs any more: of these nodes the operands are released, `most` at most.
+// Drops the references of dead nodes to their operands, for at most `most` nodes.
 int MutableNetwork::release_operands(Index node, std::size_t most) {
   int freed = 0;
   released_.clear();
@@ -93,7 +93,7 @@ Index MutableNetwork::append(NetworkNode const &node) {
   references_.push_back(0);
   users_.emplace_back();
   visited_.push_back(0);
-  by_value_[node.value.key()] = made; // of equal ones the youngest is alive
+  by_value_[node.value.key()] = made; // the latest of equal nodes is alive
   return made;
 }
 
@@ -126,7 +126,7 @@ void MutableNetwork::replace(Index node, Kind kind, Literal a, Literal b) {
   nodes_[node].b = b;
 }
 
-// Its operands first, in whatever order they now have.
+// Copies operands before users, whose order `replace` may have broken.
 Network MutableNetwork::finished() const {
   Network result(source_.context());
   std::vector<Literal> now(nodes_.size());

@@ -1,4 +1,4 @@
-// A network whose nodes can be given other operands, with the users of each: what resubstitution works on.
+// Mutable network with user lists, on which resubstitution works.
 #pragma once
 
 #include "engine/optimise/algebra/key_table.h"
@@ -22,24 +22,24 @@ public:
     source_.for_each_operand(nodes_[node], visit);
   }
 
-  // The node that is alive and has this value at the first point of the field, or the negative; or no_index.
+  // Live node with this value or its negative at the first field point; no_index if absent.
   Index find(Residue first) const;
 
   int cost(Index node) const { return source_.cost(nodes_[node]); }
-  // The cost of what is needed for this node alone; of a large cone, of so many nodes of it.
+  // Cost of the node's maximal fanout-free cone, cut off at the size of the largest window.
   int cone_cost(Index node);
-  // The cost of what is freed when the node no longer needs its operands, while `kept` are needed anew; as above.
+  // Cost of the nodes that die when the node drops its operands but `kept` stay alive; cut off likewise.
   int freed(Index node, std::span<Literal const> kept);
-  // Finds all that needs a node; then whether one does.
+  // Finds the transitive users of a node; needs_it then tests membership.
   void look_for_users(Index node);
   bool needs_it(Index node) const { return visited_[node] == search_; }
-  // How many nodes these have looked at beyond what the windows of a search have, since this was last asked.
+  // Number of nodes visited beyond the size of a search window since the last call.
   std::uint64_t take_far_visits() { return std::exchange(far_visits_, 0); }
 
-  // A node of two operands, new or one with this value.
+  // A new node of two operands.
   Literal make(Kind kind, Literal a, Literal b);
   Literal constant(Value const &value);
-  // Gives the node other operands, which make the same value or its negative.
+  // Replaces the node's operation and operands; the new value is the old one or its negative.
   void replace(Index node, Kind kind, Literal a, Literal b);
 
   Network finished() const;
@@ -52,8 +52,8 @@ private:
   Network const &source_;
   std::vector<NetworkNode> nodes_;
   std::vector<std::uint32_t> references_;
-  std::vector<std::vector<Index>> users_; // some may be users no longer
-  std::vector<std::uint32_t> visited_;    // in which search for users
+  std::vector<std::vector<Index>> users_; // possibly stale
+  std::vector<std::uint32_t> visited_;    // the last search that visited the node
   std::uint32_t search_ = 0;
   std::vector<Index> open_, released_;
   std::uint64_t far_visits_ = 0;

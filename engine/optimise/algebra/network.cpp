@@ -15,7 +15,7 @@ Value Network::value(Literal literal) const {
   return literal.is_negative() ? -value : value;
 }
 
-// Where the node with this key stands, or would stand.
+// Slot of the key in the hash table.
 std::size_t Network::place_of(std::uint64_t key) const {
   std::size_t const mask = places_.size() - 1;
   std::size_t place = mixed(key) & mask;
@@ -39,7 +39,7 @@ std::optional<Literal> Network::find(Value const &value) const {
   return std::nullopt;
 }
 
-// The numbers that went into the node have the magnitude `scale`.
+// `scale` is the magnitude of the node's operands.
 Literal Network::intern(NetworkNode const &node, long double scale) {
   std::size_t const place = place_of(node.value.key());
   Index &known = places_[place];
@@ -56,7 +56,7 @@ Literal Network::intern(NetworkNode const &node, long double scale) {
     if (!equal_in_field(value, node.value) || !confirmed(value, node.value, scale)) continue;
     if (old.attribute <= node.attribute && hazards().is_subset(old.hazards, node.hazards))
       return Literal::of(known, negative);
-    // The cheaper one, or the one that rests on less, is the one to be found from now on.
+    // From now on lookups find the node that is cheaper or has fewer hazards.
     if (node.attribute <= old.attribute && hazards().is_subset(node.hazards, old.hazards)) known = made;
     break;
   }
@@ -118,7 +118,7 @@ Literal Network::quotient(Literal a, Literal b) {
   if (b == one()) return a.negated_if(negative);
   if (a == b) return one().negated_if(negative);
   NetworkNode const &x = (*this)[a], &y = (*this)[b];
-  // What divides by a number or a parameter multiplies by its inverse, which costs nothing.
+  // Division by a number or parameter becomes multiplication by its inverse, which is free.
   if (y.is_free() && a != one()) return product(a, quotient(one(), b)).negated_if(negative);
   HazardSet const division = y.kind == Kind::constant ? no_hazard : hazards().of_operation(y.value.key() << 1);
   NetworkNode const node = {Kind::quotient,

@@ -1,9 +1,9 @@
-// An expression graph for algebra: sums, products and quotients of literals, where a literal is a node or its negative,
-// so that signs cost nothing and hide nothing. All else is opaque.
+// Expression graph for algebra: sums, products and quotients of literals, where a literal is a node or its negative, so
+// that signs are free and conceal no equality. Other operations are opaque.
 //
-// Nodes are hash consed by their value at random points (value.h), not by how they are computed: a new node whose
-// value, or its negative, is that of an old one is that one. Mirrored products, the two halves of a symmetric matrix
-// and s^2 + c^2 are found at once.
+// Nodes are hash-consed by value numbering at random points (value.h), not by structure: a new node with the value of
+// an old one, or its negative, is the old one. This finds at once mirrored products, the two halves of a symmetric
+// matrix, and s^2 + c^2.
 #pragma once
 
 #include "engine/graph/node.h"
@@ -35,17 +35,17 @@ enum class Kind : std::uint8_t { constant, leaf, sum, product, quotient, functio
 
 struct NetworkNode {
   Kind kind;
-  Attribute attribute; // what is constant or parametric costs nothing
+  Attribute attribute; // constant and parametric nodes are free
   HazardSet hazards;
-  Literal a, b; // of a leaf, a is its tag; of a function, its number; both as bits
+  Literal a, b; // leaf: a.bits is its tag; function: its number
   Value value;
 
   bool is_free() const { return attribute != Attribute::variable; }
   bool is_arithmetic() const { return kind == Kind::sum || kind == Kind::product || kind == Kind::quotient; }
 };
 
-// An operation that algebra does not look into. `origin` is not 0 where it is equal to no other, and nothing is known
-// of its value.
+// An operation that is opaque to algebra. A nonzero `origin` makes it distinct from all others, with an arbitrary
+// value.
 struct Function {
   Op op;
   std::uint32_t arity;
@@ -66,7 +66,7 @@ public:
   Literal product(Literal a, Literal b);
   Literal quotient(Literal a, Literal b);
   Literal function(Function function);
-  // A node of another network, on what its operands have become.
+  // Copies a node of another network; `now` maps its operands.
   template <class Map> Literal copy(Network const &from, NetworkNode node, Map const &now);
 
   std::size_t size() const { return nodes_.size(); }
@@ -75,11 +75,11 @@ public:
   Function const &function_of(NetworkNode const &node) const { return functions_[node.a.bits]; }
   std::size_t function_count() const { return functions_.size(); }
   Value value(Literal literal) const;
-  // The node with this value or its negative.
+  // Literal with this value, else nullopt.
   std::optional<Literal> find(Value const &value) const;
   std::shared_ptr<Context> const &context() const { return context_; }
   HazardSets &hazards() const { return context_->hazards; }
-  // Functions are not searched for, so they cost nothing here.
+  // Functions cost 0, since the search leaves them unchanged.
   int cost(NetworkNode const &node) const {
     return !node.is_arithmetic() || node.is_free() ? 0 : node.kind == Kind::quotient ? context_->division : 1;
   }
@@ -102,16 +102,16 @@ private:
 
   std::vector<NetworkNode> nodes_; // operands before their users
   std::vector<Function> functions_;
-  std::vector<Index> places_; // open addressing by Value::key
+  std::vector<Index> places_; // open addressing, keyed by Value::key
   std::size_t used_ = 0;
   std::shared_ptr<Context> context_;
 };
 
-// Which nodes the roots need.
+// Nodes that the roots depend on.
 std::vector<char> live_nodes(Network const &network);
-// Of the additions, multiplications and divisions that the roots need.
+// Cost of the live additions, multiplications and divisions.
 std::size_t cost_of(Network const &network);
-// Made anew of what the roots need.
+// Copy of the live nodes.
 Network rebuilt(Network const &network);
 
 template <class Map> Literal Network::copy(Network const &from, NetworkNode node, Map const &now) {

@@ -7,7 +7,7 @@ namespace symreal::algebra {
 
 namespace {
 
-// The numbers of one kind, as a network computes with them.
+// Arithmetic of one kind of number.
 struct InField {
   using Number = Residue;
   static Number zero() { return 0; }
@@ -41,7 +41,7 @@ ParameterColumns::ParameterColumns(Network const &network)
   for (Literal root : network.roots) add_sum(root);
 }
 
-// What stands alone in something that is not linear has to stay what it is.
+// Records a linear value that a nonlinear node uses, so that it must keep its value.
 void ParameterColumns::add_sum(Literal literal) {
   Index const node = literal.node();
   if (is_linear_[node] && !std::exchange(is_used_[node], char{1})) sums_.push_back(node);
@@ -53,7 +53,7 @@ void ParameterColumns::classify(Index index) {
   auto linear = [&](Literal literal) { return is_linear_[literal.node()] != 0; };
   auto is_number = [&](Literal literal) { return network_[literal].attribute == Attribute::constant; };
   if (node.is_free()) {
-    // What may be infinite stays where it is.
+    // Nodes that may be infinite stay unchanged.
     if (node.hazards != no_hazard) return;
     bool const is_sum =
         node.kind == Kind::sum && (linear(node.a) || is_number(node.a)) && (linear(node.b) || is_number(node.b));
@@ -83,8 +83,8 @@ void ParameterColumns::classify(Index index) {
   }
 }
 
-// Every node at the point. An input is another number at each point; so is a parameter, on which what is not linear may
-// depend.
+// Evaluates all nodes at a point, where inputs and parameters get new random values; nonlinear nodes may depend on
+// parameters.
 void ParameterColumns::evaluate(std::uint64_t point) {
   residue_.assign(network_.size(), 0);
   number_.assign(network_.size(), 0);
@@ -119,7 +119,7 @@ void ParameterColumns::evaluate(std::uint64_t point) {
   }
 }
 
-// Backwards from each value: how much it grows with each node.
+// Reverse sweep from each sum: its derivative by each linear node.
 void ParameterColumns::make_rows(std::uint64_t point) {
   evaluate(point);
   residues_.clear();

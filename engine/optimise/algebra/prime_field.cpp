@@ -15,7 +15,7 @@ Residue power(Residue base, std::uint64_t exponent) {
   return result;
 }
 
-// Euclid's algorithm, with the multiple of a that leaves each remainder.
+// Extended Euclidean algorithm.
 Residue inverse(Residue a) {
   std::int64_t multiple = 0, next_multiple = 1;
   std::uint64_t remainder = prime, next = a;
@@ -29,7 +29,7 @@ Residue inverse(Residue a) {
                       : static_cast<Residue>(multiple);
 }
 
-// Products from the front, one inverse, and back.
+// Montgomery's trick: prefix products, one inverse, then back.
 void invert(std::span<Residue> all) {
   std::vector<Residue> before;
   before.reserve(all.size());

@@ -1,4 +1,4 @@
-// Arithmetic modulo a prime: where expressions are evaluated to find out whether they are equal.
+// Prime-field arithmetic, in which expressions are evaluated to test equality.
 #pragma once
 
 #include <cstdint>
@@ -6,12 +6,12 @@
 
 namespace symreal::algebra {
 
-// A safe prime, (prime - 1) / 2 being one as well, and 2 generates all of the group: the powers of 2 that a double
-// consists of are told apart. (Modulo 2^61 - 1, which is quicker, 2^61 would be 1.)
+// A safe prime, so (prime - 1) / 2 is prime too, and 2 generates the group: the powers of 2 in doubles stay distinct.
+// (Modulo 2^61 - 1, which is faster, 2^61 would be 1.)
 inline constexpr std::uint64_t prime_offset = 2373;
 inline constexpr std::uint64_t prime = (std::uint64_t{1} << 61) - prime_offset;
 
-// An element, 0 <= value < prime.
+// A field element, 0 <= value < prime.
 using Residue = std::uint64_t;
 
 inline Residue add(Residue a, Residue b) {
@@ -24,7 +24,7 @@ inline Residue multiply(Residue a, Residue b) {
   constexpr std::uint64_t low = (std::uint64_t{1} << 61) - 1;
   __extension__ using Wide = unsigned __int128;
   Wide const product = static_cast<Wide>(a) * b;
-  // 2^61 is prime_offset. After the second round less than 2^61 + 2^24 is left.
+  // 2^61 is congruent to prime_offset. The second round leaves less than 2^61 + 2^24.
   Wide const once = static_cast<Wide>(static_cast<std::uint64_t>(product >> 61)) * prime_offset +
                     (static_cast<std::uint64_t>(product) & low);
   std::uint64_t const twice =
@@ -32,18 +32,18 @@ inline Residue multiply(Residue a, Residue b) {
   return twice >= prime ? twice - prime : twice;
 }
 Residue power(Residue base, std::uint64_t exponent);
-// Of 0 it is 0.
+// Inverse; 0 for 0.
 Residue inverse(Residue a);
-// The same of each, in the time of one inverse and three products each.
+// Inverts each element at the cost of one inverse and three products per element.
 void invert(std::span<Residue> all);
 
-// The same for a and -a.
+// Canonical representative of a and -a.
 inline Residue magnitude(Residue a) { return a <= prime / 2 ? a : prime - a; }
 
-// A finite double is a rational number: an integer times a power of 2.
+// Residue of a finite double, which is an integer times a power of 2.
 Residue residue_of(double value);
 
-// Spreads the bits of a number over all of a word.
+// Hash of a word (the finaliser of SplitMix64).
 inline std::uint64_t mixed(std::uint64_t bits) {
   bits ^= bits >> 30;
   bits *= 0xbf58476d1ce4e5b9u;
@@ -51,7 +51,7 @@ inline std::uint64_t mixed(std::uint64_t bits) {
   bits *= 0x94d049bb133111ebu;
   return bits ^ bits >> 31;
 }
-// An element that looks random, the same for the same key; not 0.
+// Pseudorandom nonzero element, a function of the key.
 Residue random_residue(std::uint64_t key);
 
 } // namespace symreal::algebra

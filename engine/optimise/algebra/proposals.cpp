@@ -42,7 +42,7 @@ void Proposals::add(Index node) {
   if (std::uint32_t &known = by_ratio_[ratio_.back()]; known == KeyTable::none) known = node;
 }
 
-// What the target is made of, and what else is made of that, nearest first.
+// Collects the neighbourhood of the target: its operands and their users, breadth first.
 void Proposals::look_around() {
   near_.clear();
   std::vector<Index> open = {target_};
@@ -63,10 +63,10 @@ void Proposals::look_around() {
     for (std::size_t i = 0; i < std::min(users.size(), most_users); ++i) add(users[i]);
   }
   for (Index node : open) is_near_[node] = 0;
-  std::erase(near_, Index{1}); // one
+  std::erase(near_, Index{1}); // the constant 1
 }
 
-// target - other, or target + other.
+// Computes target - other, or target + other.
 Residue Proposals::rest(Index other, bool negative) const {
   return negative ? algebra::add(first(target_), first(other)) : subtract(first(target_), first(other));
 }
@@ -78,7 +78,7 @@ void Proposals::invert_rests() {
   invert(inverse_rests_);
 }
 
-// target = other + x, or x - other.
+// Tries target = other + x, or x - other.
 void Proposals::try_sum(std::size_t near) {
   Index const other = near_[near];
   for (bool negative : {false, true}) {
@@ -92,7 +92,7 @@ void Proposals::try_sum(std::size_t near) {
   }
 }
 
-// target = other + k x, or k x - other.
+// Tries target = other + k x, or k x - other.
 void Proposals::try_sum_with_multiple(Index other, bool negative, Residue inverse_rest) {
   Literal const a = Literal::of(other, negative);
   Residue const rest_2 = subtract(network_[target_].value.field[1],
@@ -106,7 +106,7 @@ void Proposals::try_sum_with_multiple(Index other, bool negative, Residue invers
   consider(proposal);
 }
 
-// target = k x.
+// Tries target = k x.
 void Proposals::try_multiple() {
   Index const found = by_ratio_.find(ratio_[target_]);
   if (found == KeyTable::none || found == target_ || !network_.is_alive(found)) return;
@@ -129,7 +129,7 @@ bool Proposals::multiple_of(Value const &value, Index node, Value &k) const {
   return same && factor != 0 && std::fabs(k.number[0]) < 0x1p60L && std::fabs(k.number[0]) > 0x1p-60L;
 }
 
-// target = other * x.
+// Tries target = other * x.
 void Proposals::try_product(Index other) {
   Residue const rest = multiply(first(target_), inverse_[other]);
   Index const found = network_.find(rest);
@@ -138,7 +138,7 @@ void Proposals::try_product(Index other) {
   if (matches(network_.value(a) * network_.value(b), {})) consider({{{{Kind::product, a, b}}}, 1});
 }
 
-// Sums, differences and products of neighbours.
+// Tabulates sums, differences and products of neighbours by value.
 void Proposals::make_pairs() {
   std::size_t const count = std::min(near_.size(), settings_.pairs_among);
   pairs_.clear();
@@ -165,7 +165,7 @@ Value Proposals::value(Pair const &pair) const {
                                 : network_.value(pair.a) * network_.value(pair.b);
 }
 
-// target = pair + other, pair - other, or pair * other.
+// Tries target = pair + other, pair - other, or pair * other.
 void Proposals::try_with_pair(Index other) {
   Residue const target = first(target_);
   for (int way = 0; way < 3; ++way) {
@@ -184,7 +184,7 @@ void Proposals::try_with_pair(Index other) {
   }
 }
 
-// target = product + pair, or pair - product.
+// Tries target = product + pair, or pair - product.
 void Proposals::try_two_products() {
   for (Pair const &x : pairs_)
     for (bool minus : {false, true}) {
@@ -203,7 +203,7 @@ void Proposals::try_two_products() {
     }
 }
 
-// Whether this is the target's value, at all points.
+// Whether `value` equals the target's at all points.
 bool Proposals::matches(Value const &value, Literal part) const {
   Value const &target = network_[target_].value;
   return equal_in_field(value, target) && confirmed(value, target, scale_of(network_[part.node()].value));

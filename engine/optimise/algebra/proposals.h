@@ -1,4 +1,4 @@
-// In what other ways a node can be computed.
+// Proposals: alternative computations of a node.
 #pragma once
 
 #include "engine/optimise/algebra/mutable_network.h"
@@ -8,8 +8,8 @@
 
 namespace symreal::algebra {
 
-// How a node can be made: up to three operations, the last one of which is the node. An operand may be the result of an
-// earlier step, or the constant.
+// Computation of a node in up to three operations, the last of which is the node. Operands may be results of earlier
+// steps, or the constant.
 struct Proposal {
   struct Step {
     Kind kind;
@@ -28,13 +28,13 @@ struct Proposal {
   Value constant{};
 };
 
-// Finds the proposal that saves most for one node after the other.
+// Finds the best proposal for each node.
 class Proposals {
 public:
   Proposals(MutableNetwork &network, ResubstitutionSettings const &settings, Search &search);
 
   Proposal best_for(Index target);
-  // Of each node that is new to the network, in order.
+  // Registers each node added to the network, in order.
   void add(Index node);
 
 private:
@@ -63,15 +63,15 @@ private:
   MutableNetwork &network_;
   ResubstitutionSettings const &settings_;
   Search &search_;
-  std::vector<Residue> inverse_, ratio_; // of the values at the first point; of those at the first two
+  std::vector<Residue> inverse_, ratio_; // inverse of the value at point 0; ratio of those at points 1 and 0
   KeyTable by_ratio_;
   std::vector<Index> near_;
-  std::vector<Residue> inverse_rests_; // of each of them, two
+  std::vector<Residue> inverse_rests_; // two per neighbour
   std::vector<char> is_near_;
   std::vector<Pair> pairs_;
   KeyTable pair_by_value_;
   Index target_ = 0;
-  int cone_ = 0; // of what is there for the target alone
+  int cone_ = 0; // cost of the target's fanout-free cone
   Proposal best_;
 };
 

@@ -4,7 +4,7 @@ namespace symreal::algebra {
 
 Network with_common_reciprocals(Network const &network) {
   std::vector<char> const live = live_nodes(network);
-  std::vector<std::uint32_t> quotients(network.size(), 0); // by their denominator
+  std::vector<std::uint32_t> quotients(network.size(), 0); // indexed by denominator
   auto is_quotient = [&](Index node) {
     return live[node] && network[node].kind == Kind::quotient && !network[node].is_free();
   };

@@ -1,11 +1,11 @@
-// Division by a common denominator: one division, and a multiplication for each quotient.
+// Common reciprocals: one division per denominator, and one multiplication per quotient.
 #pragma once
 
 #include "engine/optimise/algebra/network.h"
 
 namespace symreal::algebra {
 
-// a / d and b / d as a * (1 / d) and b * (1 / d), where that costs less. What divides did so before.
+// Replaces a / d and b / d by a * (1 / d) and b * (1 / d) if that costs less. The hazards stay the same.
 Network with_common_reciprocals(Network const &network);
 
 } // namespace symreal::algebra

@@ -20,7 +20,7 @@ void tell_not_searched(Graph const &graph, std::string const &why, Report const 
   if (tell) tell({DiagnosticId::graph_not_searched, {}, fmt::format("kernel '{}' has {}", graph.kernel, why)});
 }
 
-// Where the search begins.
+// Start of the search: the network after all single-step rewrites.
 Network start_of(Graph const &graph, CostModel const &costs, Report const &tell) {
   Network const related = with_calls_of_angle_sums(with_angle_sums(rebuilt(network_of(graph, costs)), costs), costs);
   Network network = rebuilt(with_common_reciprocals(rebuilt(related)));

@@ -1,4 +1,4 @@
-// Structure recovery: textbook code brought below careful code by the algebra of real numbers.
+// Structure recovery: rewrites straightforward code by the algebra of real numbers into fewer operations.
 #pragma once
 
 #include "engine/diagnostics/diagnostic.h"
@@ -9,12 +9,12 @@ namespace symreal::algebra {
 
 inline constexpr int least_effort = 0, usual_effort = 2, most_effort = 3;
 
-// What the graph's operations cost; what is free counts nothing.
+// Cost of the graph's live operations that depend on inputs.
 double cost_of(Graph const &graph, CostModel const &costs);
 
-// The graph with less to compute by these costs, or as it is. The same for the same graph, effort and costs. `tell`
-// hears what a graph is too large for (graph_not_searched). Without `searches` only the first step is done: equal
-// expressions become one, common denominators one division. It treats equal windows of the graph alike.
+// The graph with fewer operations by these costs, or unchanged. Deterministic. `tell` receives graph_not_searched if
+// the graph is too large. Without `searches` only the first step runs, which merges equal expressions and shares
+// divisions; it treats equal windows of the graph alike.
 Graph recover_structure(Graph const &graph, int effort, CostModel const &costs = usual_costs(), Report const &tell = {},
                         bool searches = true);
 

@@ -12,10 +12,10 @@ namespace symreal::algebra {
 
 namespace {
 
-// Its value is made anew in each step.
+// Each step recomputes a function's value.
 constexpr std::size_t work_of_function = 10;
 
-// No single setting wins; their alternation does.
+// Random settings, since alternating between settings beats any single one.
 FactoringSettings random_settings(std::mt19937_64 &random) {
   struct Sizes {
     int product, sum;
@@ -39,17 +39,17 @@ Network resubstituted_at_random(Network const &network, Search &search) {
   return resubstituted(network, {.largest_first = search.random() % 2 != 0}, search);
 }
 
-// Of work, not of time, so that a result depends on nothing else. A million are done in about an eighth of a second.
-// In proportion to the operations that there are to save, but for what all efforts begin with.
+// Budget of work rather than time, which keeps results deterministic. A million units take about an eighth of a second.
+// Proportional to the operations that could be saved, apart from a fixed start.
 struct Budget {
-  int starts;          // independent searches, the best of which goes on
-  std::uint64_t first; // work for all of them
+  int starts;          // independent searches; the best continues
+  std::uint64_t first; // total work of the starts
   std::uint64_t all;
-  int disturbances; // after which nothing better was found
+  int disturbances; // failed disturbances before the search ends
 };
 
-// What the steps on the whole of a network may take, and a last pass over windows that is begun within a budget: more
-// than twice what such steps take of usual graphs.
+// Work limit of steps on the whole network, and of a last pass over windows begun within a budget: more than twice the
+// work on usual graphs.
 std::uint64_t most_of_a_step(std::uint64_t cost) { return 100'000 + 3000 * cost; }
 
 Budget budget_for(int effort, std::uint64_t cost) {
@@ -69,7 +69,7 @@ struct Found {
   std::size_t cost;
 };
 
-// Passes over windows until so much work is done. What gets no better for some passes is disturbed.
+// Improves windows until `end` units of work; disturbs the network after some passes without a gain.
 Found search_in_windows(Network start, Search &search, std::uint64_t end, int disturbances, Progress &progress) {
   std::uint64_t counted = search.work;
   constexpr std::size_t lengths[] = {150, 300, 600, 1000};

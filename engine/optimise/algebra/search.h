@@ -1,4 +1,4 @@
-// Random steps of factoring and resubstitution, of which those are kept that do not make the network larger.
+// Random search: steps of factoring and resubstitution that are kept unless they enlarge the network.
 #pragma once
 
 #include "engine/optimise/algebra/network.h"
@@ -12,21 +12,21 @@ struct Search {
   explicit Search(std::uint64_t seed) : random(seed) {}
 
   std::mt19937_64 random;
-  std::uint64_t work = 0; // what was done, in units of about an eighth of a microsecond
-  // Where a step stops at once, with what it has: no step is longer than that, however large what it works on is.
+  std::uint64_t work = 0; // work done, in units of about an eighth of a microsecond
+  // Work at which a step stops and keeps its partial result, whatever the size of the network.
   std::uint64_t end = ~std::uint64_t{0};
 
   bool is_over() const { return work >= end; }
 };
 
-// So many steps on the whole of a network.
+// Takes `steps` steps on the whole network.
 Network improved(Network network, int steps, Search &search);
 
-// One step of factoring, though it may make the network larger: a way out of where no step leads on.
+// One factoring step that may enlarge the network, to escape a local minimum.
 Network disturbed(Network const &network, Search &search);
 
-// All of it, as far as the effort goes: the best network that was found, and the work, which is bounded by the effort
-// times what there is to save.
+// Result of the full search: the best network, and the work, bounded by the effort times the operations that could be
+// saved.
 struct Searched {
   Network network;
   std::uint64_t work;

@@ -1,4 +1,4 @@
-// Sums of products: a term is a product of atoms with a sign.
+// Sums of products; a term is a signed product of atoms.
 #pragma once
 
 #include "engine/optimise/algebra/network.h"
@@ -9,24 +9,24 @@
 
 namespace symreal::algebra {
 
-// A node of a network that is not looked into, or what factoring has made.
+// An opaque node of a network, or a divisor that factoring extracted.
 using Atom = std::uint32_t;
 
-// Where its atoms stand in a store of terms. `hash` is a sum over them, so that of a common part can be taken away.
+// Range of atoms in a term store. `hash` is a sum over them, so the hash of a common part can be subtracted.
 struct Term {
   std::uint32_t first = 0;
-  std::uint16_t variables = 0, constants = 0; // how many atoms of each kind; what is free counts as constant
+  std::uint16_t variables = 0, constants = 0; // atoms of each kind; free nodes are constants
   int coefficient = 1;                        // 1 or -1 once integers are atoms
   std::uint64_t hash = 0;
 
   std::size_t size() const { return std::size_t{variables} + constants; }
-  // The constants are one number by the time they are used.
+  // All constants fold into one number.
   int factors() const { return variables + (constants != 0); }
   int multiplications() const { return std::max(factors() - 1, 0); }
 };
 using Sum = std::vector<Term>;
 
-// What two terms have in common: how many atoms of each kind, and their hash.
+// Common part of two terms: the number of atoms of each kind, and their hash.
 struct Common {
   int variables = 0, constants = 0;
   std::uint64_t hash = 0;

@@ -11,7 +11,7 @@ template <class Field, class Number> Value each(Field const &field, Number const
   return result;
 }
 
-// Between 0.3 and 1.3.
+// Pseudorandom number between 0.3 and 1.3.
 long double random_number(std::uint64_t key) {
   return 0.3L + static_cast<long double>(mixed(key * 31 + 0x51ED2701u) >> 11) * 0x1p-53L;
 }

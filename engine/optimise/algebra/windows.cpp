@@ -7,7 +7,7 @@ namespace symreal::algebra {
 
 namespace {
 
-// Operands before users: depth first from the roots, or by levels. What stands together in it is close in the network.
+// Random topological order, depth first from the roots or by levels; neighbours in it are close in the network.
 class RandomOrder {
 public:
   RandomOrder(Network const &network, std::mt19937_64 &random) : network_(network), state_(network.size(), 0) {
@@ -76,8 +76,8 @@ public:
 private:
   Literal now(Literal old) const { return now_[old.node()].negated_if(old.is_negative()); }
 
-  // What is free belongs to no window, and is there before all of them. An interval of the order is convex: no path
-  // leaves it and comes back.
+  // Cuts the order into windows. Free nodes stay outside and precede all windows. An interval of a topological order is
+  // convex: no path leaves and re-enters it.
   void cut(std::vector<Index> const &order) {
     std::size_t space = 1 + search_.random() % settings_.length;
     windows_.emplace_back();
@@ -97,7 +97,7 @@ private:
     }
   }
 
-  // What is needed outside of its window.
+  // Marks nodes with uses outside their window.
   void mark_crossing() {
     crosses_.assign(network_.size(), 0);
     for (Literal root : network_.roots) crosses_[root.node()] = 1;
@@ -109,7 +109,7 @@ private:
   }
 
   void improve(std::vector<Index> const &window) {
-    // The tags of its leaves are places in `outside`.
+    // Tags of the leaves of `part` are indices into `outside`.
     std::vector<Index> outside;
     Network part(network_.context());
     for (Index node : window) {

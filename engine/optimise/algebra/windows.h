@@ -1,8 +1,7 @@
-// Search in windows: stretches of a network, each improved by itself.
+// Window search: improves stretches of a network separately.
 //
-// What is local is accepted by what it saves locally, so that large networks gain as much as small ones, and time is in
-// proportion to size. The values of what comes from outside a window are known inside, so identities that rest on the
-// whole still hold in it.
+// Local gains decide, so that large networks gain as much as small ones, in time proportional to their size. Values
+// from outside are known inside a window, so identities that depend on the whole network still hold in it.
 #pragma once
 
 #include "engine/optimise/algebra/search.h"
@@ -10,11 +9,11 @@
 namespace symreal::algebra {
 
 struct WindowSettings {
-  std::size_t length = 300; // operations in a window
-  int steps = 8;            // in each
+  std::size_t length = 300; // operations per window
+  int steps = 8;            // steps per window
 };
 
-// One pass over the network, cut at random. It may be larger by what windows have computed twice.
+// One pass over randomly cut windows. The result may be larger if windows duplicate operations.
 Network improved_in_windows(Network const &network, WindowSettings const &settings, Search &search);
 
 } // namespace symreal::algebra

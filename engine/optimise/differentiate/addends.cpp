@@ -9,11 +9,11 @@ namespace symreal {
 namespace {
 
 constexpr std::size_t most_overlap = 1000;
-constexpr std::size_t most_steps = 8; // times the nodes of the graph, over all outputs
+constexpr std::size_t most_steps = 8; // over all outputs, times the nodes of the graph
 
 using Factors = std::map<NodeId, long double, std::greater<>>;
 
-// The terms of one sum. `steps` are left over for all; where they do not suffice, the node itself is its only term.
+// Terms of one sum, within the shared budget `steps`; the node itself is the only term if the budget runs out.
 Factors expanded(Graph const &graph, NodeId sum, std::size_t &steps) {
   Factors pending = {{sum, 1}}, terms;
   auto const constant = [&](NodeId id) { return graph.nodes[id].is_constant(); };
@@ -21,7 +21,7 @@ Factors expanded(Graph const &graph, NodeId sum, std::size_t &steps) {
   while (!pending.empty()) {
     if (steps == 0) return {{sum, 1}};
     --steps;
-    auto const [id, factor] = *pending.begin(); // the last: all that it is an operand of has been seen
+    auto const [id, factor] = *pending.begin(); // the highest id: all its users have been expanded
     pending.erase(pending.begin());
     Node const &node = graph.nodes[id];
     NodeId const x = node.operand[0], y = node.operand[1];
@@ -74,7 +74,7 @@ Addends::Addends(Graph const &graph, std::vector<std::uint32_t> outputs) : outpu
   auto const number_of = [&](NodeId node) {
     return static_cast<std::size_t>(std::ranges::lower_bound(nodes, node) - nodes.begin());
   };
-  std::vector<std::uint32_t> number(nodes.size(), Colouring::none); // among the terms
+  std::vector<std::uint32_t> number(nodes.size(), Colouring::none); // index among the terms
   for (std::size_t k = 0; k < outputs_.size(); ++k) {
     std::size_t const whole = inputs[number_of(graph.results[outputs_[k]])].size();
     std::size_t largest = 0, most = 1;
@@ -84,7 +84,7 @@ Addends::Addends(Graph const &graph, std::vector<std::uint32_t> outputs) : outpu
       largest = std::max(largest, own.size());
       for (std::uint32_t const input : own) most = std::max(most, ++seen[input]);
     }
-    // Addends of as many inputs save no direction, and are less sharp where they cancel.
+    // Addends that depend on as many inputs as the sum save no direction and lose precision by cancellation.
     if (2 * largest > whole || most > most_overlap) sums[k] = {{graph.results[outputs_[k]], 1}}, most = 1;
     overlap_ = std::max(overlap_, most);
     for (auto const &[term, factor] : sums[k]) {

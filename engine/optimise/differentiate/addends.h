@@ -1,5 +1,5 @@
-// Outputs that are sums of many numbers, as the numbers themselves: each depends on few inputs, where the sum depends
-// on all of them, and the derivative of the sum is the sum of the derivatives.
+// Addends: decomposition of outputs that are sums. Each addend depends on few inputs, the sum on all of them, and the
+// derivative of the sum is the sum of the derivatives.
 #pragma once
 
 #include "engine/optimise/differentiate/structure.h"
@@ -10,21 +10,21 @@
 namespace symreal {
 
 struct Addend {
-  std::uint32_t term; // its number
+  std::uint32_t term; // index into Addends::terms()
   long double factor;
 };
 
 class Addends {
 public:
-  // `outputs`: slots.
+  // `outputs` are slots.
   Addends(Graph const &graph, std::vector<std::uint32_t> outputs);
 
   std::vector<NodeId> const &terms() const { return terms_; }
-  // The slots of the inputs that each term depends on.
+  // Input slots that each term depends on.
   Pattern const &inputs() const { return inputs_; }
-  // One that would gain nothing is its own only term. Constants and parameters are left out.
+  // Addends of an output, without constants and parameters; the output itself if its decomposition gains nothing.
   std::vector<Addend> const &of(std::uint32_t output) const;
-  // How many terms of one output have an input in common.
+  // Largest number of terms of one output that share an input.
   std::size_t overlap() const { return overlap_; }
 
 private:

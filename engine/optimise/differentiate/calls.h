@@ -1,5 +1,5 @@
-// Calls of functions of the program whose derivatives the program has, too: each result depends on the numbers among
-// the arguments.
+// Differentiable calls: calls of program functions whose derivatives the program provides. Each result depends on the
+// numeric arguments.
 #pragma once
 
 #include "engine/graph/graph.h"
@@ -8,14 +8,14 @@
 
 namespace symreal {
 
-// Puts the functions that give derivatives behind those that the graph calls, once each.
+// Appends the derivative functions of the called functions to the graph's externals, once each.
 void add_derivative_functions(Graph &graph);
-// The number of the derivative of a function; that of none, if there is none.
+// Index of a function's derivative among the externals; their count if absent.
 std::size_t derivative_function(Graph const &graph, std::size_t function);
 
-// The numbers among the arguments of the call that node `id` is a result of, if its function has a derivative.
+// Numeric arguments of the call whose result is node `id`; empty if the function has no derivative.
 std::vector<NodeId> differentiable_arguments(Graph const &graph, NodeId id);
-// By which result of the derivative's call the result `id` depends on the first of them.
+// Index of the derivative call's result that is the partial of result `id` by the first numeric argument.
 std::size_t first_partial(Graph const &graph, NodeId id);
 
 } // namespace symreal

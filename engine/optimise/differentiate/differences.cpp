@@ -13,10 +13,10 @@ namespace {
 using Vector = PointDifferences::Vector;
 
 constexpr long double most_cancelled = 4;      // times the result
-constexpr std::size_t most_divided = 4;        // addends that share what may be off; of many the errors do not add up
-constexpr long double most_cancelled_sum = 16; // of many numbers, each as sharp as a sixteenth of what is allowed
+constexpr std::size_t most_divided = 4;        // addends that share the tolerance; more do not add up
+constexpr long double most_cancelled_sum = 16; // times the sum; each addend has 1/16 of the tolerance
 
-// What u + v has more than u and v, unless these are so large that the rest is not sharp.
+// The mixed part of a second difference, whole - one - other; nullopt if it cancels too much to be sharp.
 SharpNumber mixed(SharpNumber const &whole, SharpNumber const &one, SharpNumber const &other, long double scale) {
   if (!whole || !one || !other) return {};
   long double const rest = *whole - *one - *other;
@@ -24,7 +24,7 @@ SharpNumber mixed(SharpNumber const &whole, SharpNumber const &one, SharpNumber 
   return parts > most_cancelled * std::max(scale, std::abs(rest)) ? std::nullopt : SharpNumber(rest);
 }
 
-// Sharp as long as all that it is of is sharp, and does not cancel.
+// Weighted sum; sharp if all its addends are sharp and do not cancel.
 class SharpSum {
 public:
   void add(SharpNumber const &number, long double factor) {
@@ -45,7 +45,7 @@ private:
   bool is_sharp_ = true;
 };
 
-// All inputs of some colours, each as far as it may move.
+// Direction that moves all inputs of some colours, each by its scale.
 Vector direction_of(PointDifferences const &point, Colouring const &colours,
                     std::initializer_list<std::uint32_t> moved) {
   Vector direction(point.input_count(), 0);
@@ -54,7 +54,7 @@ Vector direction_of(PointDifferences const &point, Colouring const &colours,
   return direction;
 }
 
-// How much of each term there is in what a request differentiates: one output, or a weighted sum.
+// Factor of each term in the differentiated output or weighted sum of outputs.
 std::vector<long double> factors_of(DerivativeRequest const &request, Addends const &addends,
                                     std::span<double const> weights) {
   std::vector<long double> factors(addends.terms().size(), 0);
@@ -84,7 +84,7 @@ Differences::Differences(Graph const &graph, std::span<DerivativeWish const> wis
   given_ = directions_of({DerivativeKind::jvp});
 }
 
-// Of the requests of these kinds; nothing if there are none.
+// Directions for the requests of these kinds; nullopt if no request is of these kinds.
 std::optional<Differences::Directions> Differences::directions_of(Kinds kinds) const {
   std::vector<std::uint32_t> outputs;
   std::vector<char> is_moved(graph_.input_count(), 0);
@@ -168,8 +168,8 @@ void Differences::add_first(DerivativeRequest const &request, std::vector<SharpV
     for (std::uint32_t const input : request.input_slots) result.push_back(element(*first_, columns, output, input));
 }
 
-// Of directions u and v the derivative is half of what u + v has more than both. One result per request, empty for one
-// of another kind.
+// Hessian elements by polarization: half of what the second difference along u + v exceeds those along u and v. One
+// result per request, empty for requests of other kinds.
 std::vector<Differences::SharpVector> Differences::hessians(std::span<double const> inputs,
                                                             std::span<double const> parameters,
                                                             std::span<std::span<double const> const> seeds,
@@ -181,7 +181,7 @@ std::vector<Differences::SharpVector> Differences::hessians(std::span<double con
     alone.push_back(point.along(direction_of(point, directions.colours, {colour}), 2));
   struct Sums {
     std::vector<long double> factors;
-    std::vector<std::size_t> position; // of an input slot in the request; or none
+    std::vector<std::size_t> position; // of each input slot in the request; its size if absent
     std::vector<SharpSum> elements;
   };
   std::vector<std::optional<Sums>> sums(requests_.size());
@@ -203,7 +203,7 @@ std::vector<Differences::SharpVector> Differences::hessians(std::span<double con
       if (row != column) own->elements[column * count + row].add(number, own->factors[term]);
     }
   };
-  // Calls `add` with the elements that the differences along one or two colours show.
+  // Calls `add` with the elements that the differences along one or two colours determine.
   auto const add_all = [&](std::uint32_t one, std::uint32_t other, auto const &number_of) {
     for (std::size_t term = 0; term < directions.input_of.size(); ++term) {
       auto const &own = directions.input_of[term];

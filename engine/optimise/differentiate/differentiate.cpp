@@ -22,7 +22,7 @@ Place place_or(Graph const &graph, NodeId id, Place const &otherwise) {
   return place.file.empty() ? otherwise : place;
 }
 
-// What stands behind a node without a derivative, in words.
+// Name of the operation or function that has no derivative.
 std::string name_of(Graph const &graph, NodeId id) {
   Node node = graph.nodes[id];
   if (node.op == Op::returned) node = graph.nodes[node.operand[0]];
@@ -36,7 +36,7 @@ void require_differentiable(Graph const &graph, DerivativePath const &path, Deri
        "'" + name_of(graph, id) + "' has no derivative that " + request.name + " could go through");
 }
 
-// Each operation once a place.
+// Reports each operation once per source location.
 void report_jumps(Graph const &graph, DerivativePath const &path, DerivativeRequest const &request,
                   Report const &report) {
   std::set<std::pair<Op, std::string>> told;
@@ -57,8 +57,8 @@ Object &add_object(std::vector<Object> &objects, std::string label, std::vector<
   return objects.emplace_back(std::move(object));
 }
 
-// The slots of an input that is added: a direction, or weights. It is 1 where it was recorded. One that an earlier
-// request has added, with the object number `recorded` and on, serves again.
+// Slots of an added input, a direction or weights, with the recorded value 1. Requests share an input of the same label
+// among the objects from number `recorded` on.
 std::vector<std::uint32_t> add_seeds(Graph &graph, DerivativeRequest const &request, std::size_t recorded) {
   std::string const label = request.seed_label();
   auto const added = std::span(graph.inputs).subspan(recorded);
@@ -81,7 +81,7 @@ std::vector<NodeId> nodes_of(Graph const &graph, std::vector<std::uint32_t> cons
   return nodes;
 }
 
-// Forward along `seeds`, a direction, or backward from them, weights: an element a row, or a column.
+// Jacobian-vector product: forward along the direction `seeds`, or reverse with the weights `seeds`.
 std::vector<NodeId> product(Way way, Graph &graph, DerivativeRequest const &request, std::vector<NodeId> const &rows,
                             std::vector<std::uint32_t> const &seeds) {
   std::vector<char> const carries = find_path(graph, rows, request.input_slots).carries;
@@ -122,7 +122,7 @@ void add_derivative(Graph &graph, DerivativeRequest const &request, std::size_t 
     return add_matrix(graph, request, cheapest_jacobian(graph, rows, request.input_slots));
   Way const way = request.kind == DerivativeKind::jvp ? Way::forward : Way::reverse;
   std::vector<NodeId> const elements = product(way, graph, request, rows, seeds);
-  if (request.kind == DerivativeKind::hessian) // a function of the program may have a first derivative alone
+  if (request.kind == DerivativeKind::hessian) // a program function may have a first derivative only
     require_differentiable(graph, find_path(graph, elements, request.input_slots), request);
   if (request.kind == DerivativeKind::hessian)
     return add_matrix(graph, request, cheapest_jacobian(graph, elements, request.input_slots, true));
@@ -155,7 +155,7 @@ Graph derivatives_of(Graph graph, std::size_t own_outputs) {
   for (Object &output : graph.outputs) output.first -= first;
   graph.results.erase(graph.results.begin(), graph.results.begin() + first);
   for (DerivativeMatrix &matrix : graph.matrices) matrix.output -= static_cast<std::uint32_t>(own_outputs);
-  graph.states.clear(); // whose derivatives by time are outputs
+  graph.states.clear(); // their time derivatives are among the erased outputs
   graph.derivatives_alone = true;
   return graph;
 }

@@ -1,6 +1,6 @@
-// Derivatives as further outputs of a graph: jacobian(y, x) [rows of y][columns of x], gradient(y, x) [x], hessian(y,
-// x) [x][x], jvp(y, x) [y] along the input direction_x, vjp(y, x) [x] of the outputs weighted with the input weights_y.
-// They are defined by the derivatives in the table of operations and the chain rule: docs/reference/derivatives.md.
+// Differentiation: adds derivatives as outputs: jacobian(y, x) [rows of y][columns of x], gradient(y, x) [x],
+// hessian(y, x) [x][x], jvp(y, x) [y] along the input direction_x, vjp(y, x) [x] of the outputs weighted with the input
+// weights_y. The operation table and the chain rule define them: docs/reference/derivatives.md.
 #pragma once
 
 #include "engine/graph/graph.h"
@@ -9,12 +9,12 @@
 
 namespace symreal {
 
-// `graph` is as recorded: no pass has split it. One output for each request, behind those that there are. A Jacobian
-// goes forward or backward, whichever costs less by the table. `report` is told what jumps. Throws bad_derivative,
+// Appends one output per request. `graph` is as recorded: no pass has split it. A Jacobian takes forward or reverse
+// mode, whichever costs less by the cost table. `report` receives operations that jump. Throws bad_derivative,
 // not_a_scalar, not_differentiable.
 Graph differentiate(Graph graph, std::span<DerivativeWish const> wishes, Report const &report);
 
-// Of a graph that has got derivatives, behind so many outputs of its own: the derivatives without these.
+// The derivatives alone, without the graph's first `own_outputs` outputs.
 Graph derivatives_of(Graph graph, std::size_t own_outputs);
 
 } // namespace symreal

@@ -10,7 +10,7 @@ namespace {
 
 using Vector = DualNumbers::Vector;
 
-// Of a product with a matrix, relative to the sum of its magnitudes: far more than rounding, unless much cancels.
+// Tolerance of a matrix-vector product relative to the sum of its magnitudes: far above rounding unless much cancels.
 constexpr long double most_off_product = 0x1p-30L;
 
 Vector unit(std::size_t size, std::size_t at) {
@@ -35,7 +35,7 @@ bool is_by_elements(DerivativeRequest const &request) {
   return request.is_matrix() || request.kind == DerivativeKind::gradient;
 }
 
-// The rows that are cheaper by a pass each: of the others the longest says how many colours there are at least.
+// Rows that are cheaper by one pass each. The longest of the other rows is a lower bound on the colours.
 std::vector<char> direct_rows(Pattern const &rows) {
   std::vector<std::size_t> order(rows.size());
   std::iota(order.begin(), order.end(), 0);
@@ -51,7 +51,7 @@ std::vector<char> direct_rows(Pattern const &rows) {
   return is_direct;
 }
 
-// Between -1 and 1, no two alike.
+// Distinct numbers between -1 and 1.
 std::vector<double> some_direction(std::size_t size) {
   std::vector<double> direction(size);
   for (std::size_t k = 0; k < size; ++k)
@@ -125,7 +125,7 @@ Vector DualNumbers::jacobian(PointDuals const &point, DerivativeRequest const &r
   return matrix;
 }
 
-// What stands in a row that has a pass of its own stands in its column as well.
+// Each direct row is copied to its column by symmetry.
 Vector DualNumbers::hessian(PointDuals const &point, DerivativeRequest const &request, Plan const &plan,
                             Vector const &weights) const {
   std::size_t const size = request.input_slots.size();
@@ -164,7 +164,7 @@ bool DualNumbers::is_whole(PointDuals const &point, DerivativeRequest const &req
       long double const part = matrix[i * columns + j] * static_cast<long double>(numbers[j]);
       sum += part, magnitude += std::abs(part);
     }
-    // An infinity or a NaN tells nothing.
+    // Rows with an infinity or a NaN are inconclusive.
     if (std::isfinite(magnitude) && std::abs(sum - product[slots[i]]) > most_off_product * magnitude) return false;
   }
   return true;

@@ -32,7 +32,7 @@ NodeId Expressions::intern(Op op, NodeId a, NodeId b, NodeId c) {
   return id;
 }
 
-// A simpler node with the same value, or no_node.
+// A simpler node with the same value, else no_node.
 NodeId Expressions::simplified(Op op, NodeId a, NodeId b, NodeId c) {
   switch (op) {
   case Op::neg: return is(a, Op::neg) ? table_[a].operand[0] : no_node;
@@ -111,7 +111,7 @@ NodeId Expressions::is_larger_magnitude(NodeId a, NodeId b) {
   return operation(Op::gt, operation(Op::abs, a), operation(Op::abs, b));
 }
 
-// Selects within selects, further in than this, are multiplied as they are: a product costs a select for each.
+// Nesting depth up to which a product is distributed over selects; each level costs a select.
 static constexpr int deepest = 8;
 
 NodeId Expressions::product_within(NodeId a, NodeId b, int depth) {
@@ -145,7 +145,7 @@ NodeId Expressions::partial(NodeId id, std::size_t i) {
   return zero_free(made_of(derivative_of(node.op, i), node, id));
 }
 
-// By the number `i` among the arguments: the same arguments go to the function that gives derivatives.
+// Partial of a call's result by its numeric argument `i`: calls the derivative function with the same arguments.
 NodeId Expressions::partial_of_call(NodeId id, std::size_t i) {
   Node const call = table_[table_[id].operand[0]];
   std::size_t const function = derivative_function(graph_, function_of(graph_, graph_.nodes[table_[id].operand[0]]));

@@ -1,8 +1,8 @@
-// Derivative expressions as nodes behind those of a graph. What is structurally zero is no node, and costs nothing.
+// Builder of derivative expressions, appended to a graph's nodes. A structural zero is no_node and costs nothing.
 //
-// Of real numbers, 0 * x = 0 and 1 * x = x: a derivative is defined by these expressions, so no bits are there to keep.
-// What is not computed where it is not selected must not be multiplied either: 0 times the infinite slope of an arm
-// that was not taken would be NaN. So a product with a select that has a zero arm is that select of a product.
+// Simplifies over the reals, 0 * x = 0 and 1 * x = x: these expressions define the derivative, so no bits need
+// preserving. A product with a select that has a zero arm becomes a select of a product: multiplied outside, the zero
+// times the infinite slope of the arm not taken would be NaN.
 #pragma once
 
 #include "engine/graph/graph.h"
@@ -15,30 +15,30 @@ namespace symreal {
 
 class Expressions {
 public:
-  // `graph` gives its nodes away; they keep their numbers.
+  // Takes the nodes of `graph`; they keep their ids.
   explicit Expressions(Graph &graph);
-  // Gives all nodes back.
+  // Returns all nodes to the graph.
   void finish();
 
-  // As it was.
+  // The original graph.
   Graph const &graph() const { return graph_; }
   std::size_t size() const { return table_.size(); }
   Node node(NodeId id) const { return table_[id]; }
-  // What is made from now on has the place of this node.
+  // Gives nodes created from now on the source location of node `id`.
   void place_at(NodeId id);
 
   NodeId constant(double value) { return table_.constant(value); }
   NodeId input(std::uint32_t slot) { return table_.intern(Node::input(slot)); }
-  // Each operand may be no_node, for zero, and so may the result.
+  // Operands and results are no_node for zero.
   NodeId sum(NodeId a, NodeId b);
   NodeId product(NodeId a, NodeId b);
-  NodeId quotient(NodeId a, NodeId b); // b is a node
+  NodeId quotient(NodeId a, NodeId b); // b is not no_node
   NodeId negative(NodeId a);
-  // Whether |a| > |b|, as a truth value; and the one or the other by it.
+  // Truth value of |a| > |b|, and the select that uses it.
   NodeId is_larger_magnitude(NodeId a, NodeId b);
   NodeId choice(NodeId condition, NodeId yes, NodeId no) { return select(condition, yes, no); }
-  // Node `id` of the graph as it was: calls `use(operand, partial)` with each number that it depends on by a formula,
-  // and how to get its derivative by it.
+  // Calls `use(operand, partial)` for each operand of original node `id` that has a derivative formula; `partial()`
+  // builds the partial derivative.
   template <class Use> void for_each_slope(NodeId id, Use const &use) {
     Node const node = table_[id];
     if (node.op == Op::returned) {
@@ -49,9 +49,9 @@ public:
     for (std::size_t i = 0; i < arity(node.op); ++i)
       if (slope_of(node.op, i) == Slope::formula) use(node.operand[i], [&] { return partial(id, i); });
   }
-  // The derivative of node `id` by its operand `i`, which has a formula.
+  // Partial derivative of node `id` by its operand `i`, which has a formula.
   NodeId partial(NodeId id, std::size_t i);
-  // The node, or a zero that stands in its place.
+  // The node; a constant 0 for no_node.
   NodeId number(NodeId id) { return id == no_node ? constant(0) : id; }
 
 private:

@@ -38,7 +38,7 @@ ImplicitCone cone_of(Graph const &graph, NodeId call) {
 
 namespace {
 
-// Of the residual, along a direction in which the unknowns have the tangents `of_unknown`.
+// Tangents of the residual along a direction in which the unknowns have the tangents `of_unknown`.
 std::vector<NodeId> residual_along(Graph const &graph, Expressions &expressions, ImplicitCone const &cone,
                                    TangentOf const &of_unknown, TangentOf const &of_others) {
   std::map<NodeId, NodeId> own;
@@ -53,7 +53,7 @@ std::vector<NodeId> residual_along(Graph const &graph, Expressions &expressions,
   return result;
 }
 
-// Row by row: each element of the residual by each unknown.
+// Jacobian of the residual by the unknowns, row-major.
 SquareMatrix jacobian_of(Graph const &graph, Expressions &expressions, ImplicitCone const &cone) {
   std::size_t const count = cone.system.unknowns.size();
   SquareMatrix matrix(count, std::vector<NodeId>(count, no_node));
@@ -71,7 +71,7 @@ std::vector<NodeId> solution(Graph const &graph, Expressions &expressions, NodeI
                              std::vector<NodeId> right) {
   auto found = solve(expressions, std::move(matrix), std::move(right));
   if (!found)
-    fail(DiagnosticId::not_differentiable, place_of(graph, system_of(graph, call).unknowns[0]), // where x was computed
+    fail(DiagnosticId::not_differentiable, place_of(graph, system_of(graph, call).unknowns[0]), // where x is computed
          "the residual in implicit(x, r) does not determine x: an element of it depends on none of x, or one of x has "
          "no "
          "influence on it");
@@ -97,7 +97,7 @@ NodeId tangent_along(Graph const &graph, Expressions &expressions, NodeId id, Ta
   return solved[result_of(graph, graph.nodes[id])];
 }
 
-// Those of a call whose results' adjoints are known: weights of the residual, handed on by what it needs.
+// Propagates the adjoints of a call's results: solves for weights of the residual, then sweeps its cone in reverse.
 static void hand_down_solution(Graph const &graph, Expressions &expressions, NodeId call,
                                std::vector<NodeId> const &adjoints, AddAdjoint const &add) {
   ImplicitCone const cone = cone_of(graph, call);

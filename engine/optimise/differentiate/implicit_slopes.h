@@ -1,5 +1,5 @@
-// Derivatives of numbers that a solver has found: of x with r(x, p) = 0 they are -(dr/dx)^-1 dr/dp, where r is what the
-// program has computed of x.
+// Derivatives of implicit solutions: for x with r(x, p) = 0 they are -(dr/dx)^-1 dr/dp, where r is the residual that
+// the program computes from x.
 #pragma once
 
 #include "engine/graph/implicit.h"
@@ -11,7 +11,7 @@
 
 namespace symreal {
 
-// A system, and what its residual needs that depends on its unknowns, in the order of the nodes.
+// A system, and the nodes of its residual that depend on the unknowns, in topological order.
 struct ImplicitCone {
   ImplicitSystem system;
   std::vector<NodeId> nodes;
@@ -21,15 +21,15 @@ struct ImplicitCone {
 };
 ImplicitCone cone_of(Graph const &graph, NodeId call);
 
-// The derivative of a node along a direction, from those of what it depends on; no_node for zero. Recurses into the
-// residual of a solution alone. Throws not_differentiable where that does not determine the solution.
+// Tangent of a node from the tangents of its operands; no_node for zero. Recurses only into the residual of a solution.
+// Throws not_differentiable if the residual does not determine the solution.
 using TangentOf = std::function<NodeId(NodeId)>;
 NodeId tangent_along(Graph const &graph, Expressions &expressions, NodeId id, TangentOf const &tangent);
 
-// Of the results of each call of an implicit function that a sweep has passed.
+// Adjoints of the results of each implicit call that the reverse sweep has yet to reach.
 using SolutionAdjoints = std::map<NodeId, std::vector<NodeId>>;
 using AddAdjoint = std::function<void(NodeId operand, NodeId adjoint)>;
-// Hands the adjoint of a node to what it depends on. Those of solutions wait in `solutions` until the sweep comes to
+// Propagates the adjoint of a node to its operands. Adjoints of solutions wait in `solutions` until the sweep reaches
 // their call.
 void hand_down(Graph const &graph, Expressions &expressions, NodeId id, NodeId adjoint, SolutionAdjoints &solutions,
                AddAdjoint const &add);

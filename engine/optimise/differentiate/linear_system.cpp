@@ -19,7 +19,7 @@ public:
       : expressions_(expressions),
         rows_(std::move(matrix)),
         count_(right.size()) {
-    for (std::size_t i = 0; i < count_; ++i) rows_[i].push_back(right[i]); // the last column
+    for (std::size_t i = 0; i < count_; ++i) rows_[i].push_back(right[i]); // augmented matrix
   }
 
   std::optional<std::vector<NodeId>> run() {

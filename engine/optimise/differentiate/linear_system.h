@@ -1,4 +1,4 @@
-// Small dense systems of linear equations as expressions.
+// Symbolic solution of small dense linear systems.
 #pragma once
 
 #include "engine/optimise/differentiate/expressions.h"
@@ -8,13 +8,13 @@
 
 namespace symreal {
 
-// Row by row; no_node where an element is zero by structure.
+// Row-major; no_node for a structural zero.
 using SquareMatrix = std::vector<std::vector<NodeId>>;
 
 SquareMatrix transposed(SquareMatrix const &matrix);
 
-// By elimination. In each column the element of the largest magnitude becomes the pivot, by selects: which one that is
-// differs from sample to sample. Nothing where the matrix is singular by structure.
+// Gaussian elimination with partial pivoting. Selects choose the pivot of the largest magnitude, which differs among
+// samples. Returns nullopt if the matrix is structurally singular.
 std::optional<std::vector<NodeId>> solve(Expressions &expressions, SquareMatrix matrix, std::vector<NodeId> right);
 
 } // namespace symreal

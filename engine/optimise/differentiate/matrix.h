@@ -1,4 +1,4 @@
-// Matrices of derivatives: those elements that are not zero by structure.
+// Derivative matrices as lists of structurally nonzero elements.
 #pragma once
 
 #include "engine/optimise/differentiate/expressions.h"
@@ -11,15 +11,15 @@ struct MatrixElement {
   std::uint32_t row, column;
   NodeId node;
 };
-using MatrixElements = std::vector<MatrixElement>; // row by row
+using MatrixElements = std::vector<MatrixElement>; // row-major
 
 enum class Way : std::uint8_t { forward, reverse };
 
-// Of nodes of `graph` by input slots.
+// Jacobian of the nodes `rows` by the input slots `columns`.
 MatrixElements jacobian_by(Way way, Graph &graph, std::vector<NodeId> const &rows,
                            std::vector<std::uint32_t> const &columns);
 
-// Whichever way costs less by the table. Of a symmetric matrix what stands above the diagonal is what stands below.
+// Jacobian by the mode that costs less by the cost table. The lower triangle of a symmetric matrix is mirrored.
 MatrixElements cheapest_jacobian(Graph &graph, std::vector<NodeId> const &rows,
                                  std::vector<std::uint32_t> const &columns, bool is_symmetric = false);
 

@@ -10,7 +10,7 @@ namespace symreal {
 
 namespace {
 
-// Per node, whether it depends on the inputs in one of the ways that `is_way(op, i)` allows.
+// Per node, whether it depends on `inputs` through operands that `is_way(op, i)` allows.
 template <class IsWay>
 std::vector<char> dependent(Graph const &graph, std::span<std::uint32_t const> inputs, IsWay const &is_way) {
   std::vector<char> slots(graph.input_count(), 0);
@@ -40,7 +40,7 @@ DerivativePath find_path(Graph const &graph, std::span<NodeId const> outputs, st
       dependent(graph, inputs, [](Op op, std::size_t i) { return slope_of(op, i) == Slope::formula; }), {}, {}};
   std::vector<char> needed(graph.nodes.size(), 0);
   for (NodeId const output : outputs) needed[output] = 1;
-  // What node `id` depends on is needed, as `need` takes it, and what is in the way is told.
+  // Passes the operands of node `id` on the path to `need`; records jumps and unknown derivatives.
   auto const look_at = [&](NodeId id, auto const &need) {
     Node const &node = graph.nodes[id];
     std::vector<NodeId> const arguments = differentiable_arguments(graph, id);
@@ -67,7 +67,7 @@ DerivativePath find_path(Graph const &graph, std::span<NodeId const> outputs, st
       look_at(id, need);
       continue;
     }
-    // How the unknowns were found does not matter: their residual does.
+    // The residual determines the derivative of the unknowns, not the algorithm that found them.
     ImplicitCone const cone = cone_of(graph, id);
     for (NodeId const residual : cone.system.residuals)
       if (!cone.has(residual)) need(residual);

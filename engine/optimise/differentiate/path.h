@@ -1,4 +1,4 @@
-// Which nodes carry a derivative from inputs to outputs, and where it is cut.
+// Derivative paths: the nodes that carry a derivative from inputs to outputs, and those that cut it.
 #pragma once
 
 #include "engine/graph/graph.h"
@@ -8,12 +8,12 @@
 namespace symreal {
 
 struct DerivativePath {
-  std::vector<char> carries;   // per node: the outputs depend on it, and it on the inputs, by formulas all the way
-  std::vector<NodeId> jumps;   // operations on the way that are constant between jumps, or jump between formulas
-  std::vector<NodeId> unknown; // operations on the way that have no derivative
+  std::vector<char> carries;   // per node: lies on a path from inputs to outputs whose steps all have formulas
+  std::vector<NodeId> jumps;   // operations on the path that are piecewise constant, or jump between formulas
+  std::vector<NodeId> unknown; // operations on the path without a derivative
 };
 
-// `inputs`: slots. Iterative, linear.
+// `inputs` are slots. Iterative, in linear time.
 DerivativePath find_path(Graph const &graph, std::span<NodeId const> outputs, std::span<std::uint32_t const> inputs);
 
 } // namespace symreal

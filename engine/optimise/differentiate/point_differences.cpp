@@ -10,20 +10,20 @@ namespace {
 
 using Vector = PointDifferences::Vector;
 
-constexpr int levels = 8;                         // steps, each a quarter of the one before
-constexpr int probes[] = {9, 11, 12, 13, 15, 17}; // levels of the smaller steps that a result must stand
-constexpr long double doubtful = 8; // times its noise, and a probe tells against a result: there are many of them
+constexpr int levels = 8;                         // steps, each a quarter of the previous one
+constexpr int probes[] = {9, 11, 12, 13, 15, 17}; // levels of the smaller steps that must confirm a result
+constexpr long double doubtful = 8;               // times its noise: deviation at which one of the many probes rejects
 constexpr long double telling =
-    0.1L;                        // noise of a probe, relative to the result or to 1, that leaves it something to say
-constexpr int perturbations = 3; // on each side
-constexpr long double most_noise = 4; // times the largest that is seen
+    0.1L;                        // noise, relative to the larger of the result and 1, with which a probe still confirms
+constexpr int perturbations = 3; // per side
+constexpr long double most_noise = 4; // times the largest observed
 constexpr long double unknown = std::numeric_limits<long double>::infinity();
 
-// Extrapolation of one number whose error has even powers of the step alone: Ridders' method. An estimate of the error
-// may be small by accident, so two levels must agree.
+// Ridders' extrapolation of a number whose error has only even powers of the step. As a small error estimate may be
+// accidental, two levels must agree.
 class Extrapolation {
 public:
-  // `noise`: how far rounding may have moved the value. Numbers that agree because no step shows tell nothing.
+  // `noise` bounds the rounding error of the value. Values that agree because the step is invisible prove nothing.
   void add(long double value, long double noise) {
     std::vector<long double> row = {value};
     Estimate level;
@@ -91,7 +91,7 @@ SharpNumber PointDifferences::sharp(std::vector<Neighbours> const &neighbours, V
     }
     number.add(found.value, found.noise);
     last = found.value;
-    // What bends is bent less by a quarter of the step; a kink is as sharp as before.
+    // A quarter of the step lessens a smooth bend, not a kink.
     long double const before = std::exchange(bend, std::abs(bend_of(pair, node)) / pair.step);
     has_kink = bend > tolerance_ && 2 * bend > before && level != 0;
   }
@@ -121,7 +121,7 @@ bool PointDifferences::is_confirmed(std::vector<Quotient> const &smaller, long d
   return is_told;
 }
 
-// A power of two, so that most sums with steps are exact.
+// A power of two, which keeps most sums with steps exact.
 long double PointDifferences::scale(std::uint32_t slot) const {
   return std::exp2(std::floor(std::log2(std::max(1.0L, std::abs(inputs_[slot])))));
 }
@@ -134,7 +134,7 @@ long double PointDifferences::first_step(Vector const &direction) const {
   long double most = 0;
   for (std::uint32_t slot = 0; slot < direction.size(); ++slot)
     most = std::max(most, std::abs(direction[slot]) / scale(slot));
-  return most == 0 ? 1 : std::exp2(std::floor(std::log2(0x1p-4L / most))); // so that most sums are exact
+  return most == 0 ? 1 : std::exp2(std::floor(std::log2(0x1p-4L / most))); // keeps most sums exact
 }
 
 std::vector<PointDifferences::Neighbours> PointDifferences::neighbours_along(Vector const &direction) const {
@@ -157,7 +157,7 @@ Vector PointDifferences::moved(Vector const &direction, long double step, std::u
   return neighbourhood_.at(at, perturbation);
 }
 
-// How far rounding moves each node, from results that are moved by as much.
+// Rounding noise of each node, estimated from evaluations with perturbed intermediate results.
 Vector PointDifferences::noise_beside(Vector const &direction, Neighbours const &pair) const {
   Vector noise(middle_.size(), 0);
   for (auto const &[side, step] : {std::pair(&pair.high, pair.step), std::pair(&pair.low, -pair.step)})

@@ -13,9 +13,9 @@ namespace {
 struct Dual {
   long double value = 0, slope = 0;
 };
-using Duals = std::array<Dual, 4>; // the operands, and the result
+using Duals = std::array<Dual, 4>; // the operands, then the result
 
-// What does not reach a number leaves it alone, even if it is infinite: the arm of a select that is not taken.
+// Product in which 0 absorbs infinities, as in the arm of a select that is not taken.
 long double times(long double a, long double b) { return a == 0 || b == 0 ? 0 : a * b; }
 
 Dual evaluate_dual(Op op, Duals const &operands);
@@ -31,7 +31,7 @@ Dual evaluate_dual(Term const &term, Duals const &duals) {
   return evaluate_dual(term.op, operands);
 }
 
-// Terms of the table are a few levels deep.
+// Recursion is shallow: terms of the operation table are a few levels deep.
 Dual evaluate_dual(Op op, Duals const &operands) {
   Dual result{evaluate_extended(op, operands[0].value, operands[1].value, operands[2].value), 0};
   Duals plain;

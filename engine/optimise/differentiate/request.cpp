@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::array<std::string_view, 5> kinds = {"jacobian", "gradient", "hessian", "jvp", "vjp"};
 
-// `object`: the place of what is wrong, for an option, which has none itself.
+// Reports a bad request. An option has no location, so it takes `object`, the location of the faulty object.
 [[noreturn]] void refuse(DerivativeWish const &wish, std::string const &why,
                          DiagnosticId id = DiagnosticId::bad_derivative, Place const &object = {}) {
   bool const is_option = wish.place.file.empty();
@@ -20,13 +20,13 @@ constexpr std::array<std::string_view, 5> kinds = {"jacobian", "gradient", "hess
        (is_option ? "--differentiate '" + wish.text + "'" : wish.text) + ": " + why);
 }
 
-// "q" or "[q, qd]".
+// Parses "q" or "[q, qd]".
 std::vector<std::string> names_of(std::string const &item) {
   if (item.starts_with('[') && item.ends_with(']')) return items_of(std::string_view(item).substr(1, item.size() - 2));
   return {item};
 }
 
-// "sparse" of jacobian(y, x, sparse). The second item is one only where no input is called so.
+// The flag that an item names, as in jacobian(y, x, sparse); else null. An input of that name in second place wins.
 bool *word_of(DerivativeRequest &request, std::string const &item) {
   if (item == "sparse") return &request.is_sparse;
   if (item == "symmetric") return &request.is_symmetric;
@@ -59,7 +59,7 @@ struct Found {
   std::vector<std::uint32_t> slots;
 };
 
-// Which of the objects is called so; their number if none is.
+// Index of the object with this name; the count of the objects if absent.
 std::size_t find(std::string const &name, std::vector<Object> const &objects, std::vector<std::string> const &known) {
   std::size_t k = 0;
   while (k < objects.size() && objects[k].label != name && known[k] != name &&

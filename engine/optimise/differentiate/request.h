@@ -1,4 +1,4 @@
-// What a user asks to be differentiated: "jacobian(tau, [q, qd])", "hessian(cost, q, sparse)".
+// Derivative requests of the user: "jacobian(tau, [q, qd])", "hessian(cost, q, sparse)".
 #pragma once
 
 #include "engine/graph/graph.h"
@@ -10,28 +10,27 @@ namespace symreal {
 
 enum class DerivativeKind : std::uint8_t { jacobian, gradient, hessian, jvp, vjp };
 
-// Names that are found in a graph: the numbers of the objects, and the slots of their elements in that order.
+// A request resolved in a graph: the identifiers of the objects, and the slots of their elements in that order.
 struct DerivativeRequest {
   DerivativeKind kind = DerivativeKind::jacobian;
   std::vector<std::string> outputs, inputs; // identifiers
   std::vector<std::uint32_t> output_slots, input_slots;
   Place place = {};                                                  // of the first output
-  std::string name;                                                  // of the object that is added: jacobian_tau_q_qd
-  bool is_sparse = false, is_symmetric = false, is_weighted = false; // the words behind the inputs
+  std::string name;                                                  // of the added object: jacobian_tau_q_qd
+  bool is_sparse = false, is_symmetric = false, is_weighted = false; // the flags after the inputs
 
   bool is_matrix() const { return kind == DerivativeKind::jacobian || kind == DerivativeKind::hessian; }
   bool is_packed() const { return is_sparse || is_symmetric; }
-  // Of the whole, also where it is packed.
+  // Extents of the unpacked result.
   std::vector<std::size_t> extents() const;
-  // How many inputs it needs besides, a direction or weights, and what these are called. Requests that call them the
-  // same have them in common.
+  // Number of added inputs, a direction or weights, and their label. Requests with the same label share them.
   std::size_t seed_count() const;
   std::string seed_label() const;
 };
 
-// Throws, at the place of the wish, bad_derivative for another form and for names that the graph does not have,
-// not_a_scalar (of an option at the place of the output). An object is named by its label, with sections or without, or
-// as the header spells it. Without inputs: all of them.
+// Parses a request. An object is named by its label, with or without sections, or by its identifier in the header.
+// Without inputs, it takes all. Throws, at the location of the wish, bad_derivative for malformed text and unknown
+// names, not_a_scalar (of an option, at the location of the output).
 DerivativeRequest read_request(DerivativeWish const &wish, Graph const &graph);
 
 } // namespace symreal

@@ -6,9 +6,9 @@ namespace symreal {
 
 namespace {
 
-constexpr std::size_t most_elements = std::size_t{1} << 20; // each has a place in the generated text
+constexpr std::size_t most_elements = std::size_t{1} << 20; // each appears in the generated code
 
-// Each element, zeros too, of the whole or of its lower half.
+// Stores each element, zeros included, of the whole matrix or its lower triangle.
 void store_all(MatrixElements const &elements, NodeId zero, StoredMatrix &stored) {
   DerivativeMatrix &matrix = stored.matrix;
   auto next = elements.begin();

@@ -1,4 +1,4 @@
-// How a matrix of derivatives lies in the array of outputs: all of it, its lower half, or what is not zero.
+// Storage of a derivative matrix in the output array: dense, lower triangle, or nonzeros only.
 #pragma once
 
 #include "engine/optimise/differentiate/matrix.h"
@@ -9,14 +9,14 @@
 namespace symreal {
 
 struct StoredMatrix {
-  DerivativeMatrix matrix; // but for the number of the output
+  DerivativeMatrix matrix; // without the output index
   std::vector<NodeId> results;
 };
 
 // Throws matrix_too_large.
 StoredMatrix store(Graph &graph, DerivativeRequest const &request, MatrixElements elements);
 
-// The whole matrix, row by row, of what is stored.
+// The whole matrix, row-major, from its stored elements.
 std::vector<double> unpacked(DerivativeMatrix const &matrix, std::span<double const> stored);
 
 } // namespace symreal

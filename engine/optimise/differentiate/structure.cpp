@@ -15,7 +15,7 @@ constexpr std::size_t width = 64;
 
 std::size_t block_count(Graph const &graph) { return (graph.input_count() + width - 1) / width; }
 
-// Per node, which of the inputs of one block it depends on.
+// Bit set per node: the inputs of one block that it depends on.
 std::vector<Bits> dependence(Graph const &graph, std::size_t block) {
   std::vector<Bits> bits(graph.nodes.size(), 0);
   for (std::size_t id = 0; id < bits.size(); ++id) {
@@ -33,7 +33,7 @@ template <class Visit> void for_each_bit(Bits bits, Visit const &visit) {
 
 enum class Bend : std::uint8_t { none, product, quotient, all };
 
-// How operands stand together in a second derivative. What is linear between kinks has none.
+// Operand pairs with a nonzero second derivative. Operations that are linear between kinks have no such pair.
 Bend bend_of(Op op) {
   switch (op) {
   case Op::add:
@@ -48,7 +48,7 @@ Bend bend_of(Op op) {
   case Op::div: return Bend::quotient;
   default: break;
   }
-  if (info(op).has(flag::OPAQUE)) return Bend::all; // a function of the program
+  if (info(op).has(flag::OPAQUE)) return Bend::all; // a program function
   for (std::size_t i = 0; i < arity(op); ++i)
     if (slope_of(op, i) == Slope::formula) return Bend::all;
   return Bend::none;
@@ -63,7 +63,7 @@ std::vector<char> needed_by(Graph const &graph, std::span<NodeId const> nodes) {
   return needed;
 }
 
-// Rows of bits, a block after the other.
+// Bit matrix, stored by rows of 64-bit blocks.
 class BitMatrix {
 public:
   BitMatrix(std::size_t size, std::size_t blocks) : blocks_(blocks), bits_(size * blocks, 0) {}
@@ -131,7 +131,7 @@ Colouring coloured(Pattern const &rows, std::size_t columns) {
   std::iota(order.begin(), order.end(), 0);
   std::ranges::stable_sort(order, std::greater(), [&](std::uint32_t column) { return rows_of[column].size(); });
   Colouring colouring{std::vector<std::uint32_t>(columns, Colouring::none), 0};
-  std::vector<std::vector<Bits>> taken(rows.size()); // per row, a bit a colour
+  std::vector<std::vector<Bits>> taken(rows.size()); // per row, a bit set of colours
   for (std::uint32_t const column : order) {
     if (rows_of[column].empty()) continue;
     std::vector<Bits> all;

@@ -1,5 +1,5 @@
-// What is zero by the structure of a graph: which inputs a node depends on, and which of these it is not linear in
-// together. Shares nothing with differentiate.h but the table.
+// Structural sparsity of derivatives: the inputs that a node depends on, and the pairs of inputs that it depends on
+// nonlinearly. Shares only the operation table with differentiate.h.
 #pragma once
 
 #include "engine/graph/graph.h"
@@ -9,21 +9,21 @@
 
 namespace symreal {
 
-// The columns of each row that are not zero by structure, ascending.
+// Columns of the structurally nonzero elements of each row, ascending.
 using Pattern = std::vector<std::vector<std::uint32_t>>;
 
-// The slots of the inputs that each node depends on, in whatever way.
+// Input slots that each node depends on in any way.
 Pattern inputs_of(Graph const &graph, std::span<NodeId const> nodes);
 
-// The slots that stand with each input slot in a second derivative of one of the nodes: symmetric.
+// Sparsity of the Hessian of the nodes together: per input slot, its partners in a second derivative. Symmetric.
 Pattern coupled_inputs(Graph const &graph, std::span<NodeId const> nodes);
 
-// Columns of which no row has two have one colour (Curtis, Powell and Reid): the sum of all columns of a colour shows
-// each of their elements.
+// Column colouring (Curtis, Powell and Reid): columns of one colour share no row, so the sum of a colour's columns
+// shows each of their elements.
 struct Colouring {
   static constexpr std::uint32_t none = ~std::uint32_t{0};
 
-  std::vector<std::uint32_t> colour; // per column; none where no row has it
+  std::vector<std::uint32_t> colour; // per column; `none` for an empty column
   std::size_t count = 0;
 };
 Colouring coloured(Pattern const &rows, std::size_t columns);

@@ -6,8 +6,8 @@ namespace symreal {
 
 namespace {
 
-// Knuth, The Art of Computer Programming, volume 2, 4.6.3: chains of ascending numbers by iterative deepening. A wanted
-// number that an ascending chain has passed it never reaches.
+// Iterative deepening over ascending chains (Knuth, The Art of Computer Programming, volume 2, 4.6.3). A chain that has
+// passed a wanted number never reaches it.
 class Search {
 public:
   Search(std::vector<int> const &given, std::vector<int> const &wanted) : wanted_(wanted), chain_(given) {}

@@ -1,4 +1,4 @@
-// Which sums lead to given numbers: the exponents of x when powers are made by multiplications.
+// Addition chains for several targets: the exponents of x when multiplications make its powers.
 #pragma once
 
 #include <vector>
@@ -6,11 +6,11 @@
 namespace symreal {
 
 struct Addition {
-  int sum, a, b; // sum = a + b, which are given or earlier sums
+  int sum, a, b; // sum = a + b; each operand is given or an earlier sum
 };
 
-// The fewest additions from `given` to all of `wanted`, or, where these are too many for a search, those of the binary
-// method. All numbers are positive and multiples of the least given one, which is in `wanted` or not.
+// Shortest sequence of additions from `given` to all of `wanted`; the binary method's if the search exceeds its budget.
+// All numbers are positive multiples of the least given one, whether or not `wanted` has it.
 std::vector<Addition> addition_sequence(std::vector<int> given, std::vector<int> wanted);
 
 } // namespace symreal

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double long_before = -std::numeric_limits<double>::infinity();
 
-// A term, when it is there, and its place among the terms.
+// A term with its ready time and its place among the terms.
 struct Arrival {
   double time;
   std::size_t place;
@@ -60,7 +60,7 @@ Balance from_inputs_on(CostModel const &costs) {
   return Balance(costs, [](Node const &) { return 0; });
 }
 
-// Per node, how long the longest path through it takes.
+// Length of the longest path through each node.
 std::vector<double> paths_through(Graph const &graph, CostModel const &costs) {
   std::vector<char> const live = live_nodes(graph);
   Balance times = from_inputs_on(costs);
@@ -98,7 +98,7 @@ double work(Graph const &graph, CostModel const &costs) {
 
 double span(Graph const &graph, CostModel const &costs) { return longest(paths_through(graph, costs)); }
 
-// Sums and products as balanced trees, where this makes the longest path shorter: the work is the same.
+// Balances sums and products where this shortens the critical path; the work stays the same.
 Graph pass_balance(Graph graph, PassSettings const &settings) {
   CostModel const &costs = settings.costs;
   double const least = span(balanced(graph, costs, [](NodeId) { return true; }), costs);

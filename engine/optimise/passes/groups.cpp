@@ -6,7 +6,7 @@ namespace {
 
 bool is_of_group(Op group, Op op) { return group == Op::add ? op == Op::add || op == Op::sub : op == Op::mul; }
 
-// The groups of a graph, by the node at which each ends.
+// Groups of a graph, indexed by their end nodes.
 class Groups {
 public:
   explicit Groups(Graph const &graph)
@@ -28,7 +28,7 @@ public:
     }
   }
 
-  // Null where no group ends.
+  // The group that ends in the node, else null.
   Group const *ending_in(NodeId id) const { return number_[id] == no_group ? nullptr : &groups_[number_[id]]; }
 
 private:
@@ -49,7 +49,7 @@ private:
       bool const is_open = id == end || (uses_[id] == 1 && is_regrouped(id));
       if (is_open && is_of_group(op, node.op)) {
         if (id != end) is_inside_[id] = 1;
-        // The first operand comes first. The sign of a product is in one factor.
+        // The first operand is popped first. One factor carries the sign of a product.
         open.push_back({node.operand[1], op == Op::add && is_negative != (node.op == Op::sub)});
         open.push_back({node.operand[0], is_negative});
       } else if (is_open && node.op == Op::neg) {

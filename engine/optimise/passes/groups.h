@@ -1,4 +1,4 @@
-// Sums and products of several terms, whatever the parentheses between them.
+// Groups: sums and products of several terms regardless of parentheses.
 #pragma once
 
 #include "engine/graph/graph.h"
@@ -15,20 +15,19 @@ struct SignedNode {
   bool is_negative = false;
 };
 
-// What a tree of additions and subtractions, or of multiplications, adds or multiplies: all that has no other user
-// within it, changes of sign included; what is exact, and what depends on no input, is a term. In the order in which it
-// is written.
+// Terms of a maximal tree of additions and subtractions, or of multiplications, in source order. The tree's inner
+// nodes, negations included, have a single use; an exact node, or one that depends on no input, is a term.
 struct Group {
   Op op;      // add or mul
-  NodeId end; // of the graph: the sum or product
+  NodeId end; // root of the tree in the graph
   std::vector<SignedNode> terms;
 };
 
-// The sum, difference or product of two as one operation; what it leaves of the sign is that of the result.
+// Sum, difference or product of two terms as one operation; the result carries the remaining sign.
 SignedNode combined(Op op, SignedNode a, SignedNode b, NodeTable &table);
 
-// The graph in which each group, its terms in terms of `table`, is what `build` makes of it; where that is nothing it
-// stays as it is.
+// The graph with each group replaced by the result of `build`, which gets its terms as nodes of `table`. A group stays
+// if `build` returns nullopt.
 using BuildGroup = std::function<std::optional<SignedNode>(Group const &group, NodeTable &table)>;
 Graph regrouped(Graph const &graph, BuildGroup const &build);
 

@@ -1,9 +1,9 @@
-// A guard that others imply is dropped: first those that follow from earlier ones, then those that follow from later
-// ones, as x >= 1 does from x >= 2. So of a chain of thresholds two are left.
+// Removal of implied guards: first those that earlier guards imply, then those that later ones imply, as x >= 2 implies
+// x >= 1. A chain of thresholds keeps two.
 //
-// What is known after some guards: for a pair of operands which outcomes of comparing them are possible; for an operand
-// that is compared with constants also an interval; for any other condition its truth. A conjunction is two facts. What
-// an operand can be at all counts too: an index that was clamped needs no guard.
+// Facts after some guards: the possible outcomes of comparing a pair of operands, the interval of an operand compared
+// with constants, and the truth of any other condition. A conjunction gives two facts. The static range of an operand
+// counts too: a clamped index needs no guard.
 #include "engine/graph/relations.h"
 #include "engine/graph/value_range.h"
 #include "engine/optimise/passes/pass.h"
@@ -30,7 +30,7 @@ public:
         strict_(mode == FloatingPoint::strict),
         ranges_(graph, mode) {}
 
-  // Whether the literal follows from what was learnt.
+  // Whether the facts imply the literal.
   bool implies(Literal const &literal) const {
     Comparison const comparison = view(literal);
     if (!comparison.set) {
@@ -45,7 +45,7 @@ public:
     return known.within(allowed(comparison, *comparison.constant));
   }
 
-  // False when nothing can satisfy both the literal and what was learnt before.
+  // Adds the literal to the facts; false if it contradicts them.
   bool learn(Literal const &literal) {
     Comparison const comparison = view(literal);
     if (!comparison.set) return truth_.emplace(literal.condition, literal.holds).first->second == literal.holds;
@@ -65,7 +65,7 @@ public:
   }
 
 private:
-  // x compared with y, x being the older node, or with a constant; an empty set for what is no comparison.
+  // Comparison of x, the older node, with y or a constant; its set is empty if the condition does not compare.
   struct Comparison {
     NodeId x, y;
     unsigned set;
@@ -94,13 +94,13 @@ private:
   unsigned possible_outcomes(Comparison const &comparison) const {
     auto known = outcomes_.find(key(comparison));
     if (known != outcomes_.end()) return known->second;
-    return strict_ ? any : any & ~unordered; // the others presume that no value is a NaN
+    return strict_ ? any : any & ~unordered; // other modes assume that no value is NaN
   }
 
   static double after(double x) { return std::nextafter(x, std::numeric_limits<double>::infinity()); }
   static double before(double x) { return std::nextafter(x, -std::numeric_limits<double>::infinity()); }
 
-  // Less or greater than the constant: no interval.
+  // Whether the allowed values are all but the constant, which no interval describes.
   static bool is_point_excluded(Comparison const &comparison) {
     return (comparison.set & any & ~unordered) == (less | greater);
   }
@@ -121,7 +121,7 @@ private:
   std::unordered_map<NodeId, bool> truth_;
 };
 
-// What holds with the condition, none of it a conjunction.
+// Literals that the condition implies, with conjunctions split.
 std::vector<Literal> facts(Graph const &graph, NodeId condition) {
   std::vector<Literal> result, stack = {{condition, true}};
   while (!stack.empty()) {
@@ -146,7 +146,7 @@ std::vector<Literal> facts(Graph const &graph, NodeId condition) {
            std::string(to_string(mode)));
 }
 
-// Whether the guard adds something to what is known, which then knows it. Fails where the two contradict each other.
+// Whether the guard adds a fact to `knowledge`, which learns it. Fails if the guard contradicts it.
 bool adds(Graph const &graph, Guard const &guard, FloatingPoint mode, Knowledge &knowledge) {
   bool adds = false;
   for (Literal const &fact : facts(graph, guard.condition)) {
@@ -165,7 +165,7 @@ Graph pass_guards(Graph graph, PassSettings const &settings) {
   if (graph.guards.empty()) return graph;
   Knowledge knowledge(graph, mode);
   std::erase_if(graph.guards, [&](Guard const &guard) { return !adds(graph, guard, mode, knowledge); });
-  // A call stands behind the guards before it, which therefore stay.
+  // A call executes after the guards before it, so they stay.
   if (graph.externals.empty()) {
     Knowledge later(graph, mode);
     std::vector<Guard> kept;

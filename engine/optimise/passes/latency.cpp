@@ -3,9 +3,9 @@
 
 namespace symreal {
 
-// A processor that begins two operations in a cycle and has the result of a sum or product after four of them has
-// little to do where less than eight operations stand beside each one of the longest path. It sees a part of the
-// program only, so that twice as many are needed. Where loops are looked for, what is alike stays alike.
+// Balances if the span bounds the run time. A processor that issues two operations per cycle and completes a sum or
+// product in four cycles needs eight operations beside each one on the longest path; as it sees only a part of the
+// program, the threshold is twice that. The loop search skips this pass, which would break the repetition.
 Graph pass_latency(Graph graph, PassSettings const &settings) {
   constexpr double beside_each = 16;
   if (!settings.searches) return graph;

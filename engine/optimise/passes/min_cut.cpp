@@ -11,7 +11,7 @@ namespace {
 using Flow = std::int64_t;
 constexpr Flow unlimited = std::numeric_limits<Flow>::max() / 4;
 
-// Dinic: shortest augmenting paths, all of one length at once. Nothing recurses, since paths are long.
+// Dinic's maximum flow: augments along all shortest paths of one length at once. Iterative, since paths are long.
 class Network {
 public:
   explicit Network(std::size_t nodes) : first_(nodes, none) {}
@@ -24,7 +24,7 @@ public:
     }
   }
 
-  // What the source still reaches when no more flows to the sink.
+  // Nodes that the source still reaches in the residual graph (the min-cut's source side).
   std::vector<char> source_side(std::uint32_t source, std::uint32_t sink) {
     while (find_distances(source), distance_[sink] != none) {
       at_ = first_;
@@ -55,7 +55,7 @@ private:
         }
   }
 
-  // Along one path; false where there is none.
+  // Pushes flow along one shortest path; false if no augmenting path of this length is left.
   bool augment(std::uint32_t source, std::uint32_t sink) {
     std::vector<std::uint32_t> path;
     for (std::uint32_t node = source; node != sink;) {
@@ -82,7 +82,7 @@ private:
     return true;
   }
 
-  std::vector<Edge> edges_; // each with its reverse behind it
+  std::vector<Edge> edges_; // each followed by its reverse
   std::vector<std::uint32_t> next_, first_, at_, distance_;
 };
 

@@ -3,9 +3,9 @@
 
 namespace symreal {
 
-// Pass `signs` leaves one canonical node for a value and its negative, and a `neg` where the negative is wanted. Where
-// nobody wants the canonical one, the negative is made directly: -(a - b) is b - a, -(a * k) is a * -k. This is the
-// reverse of the rules in signs, so it runs once, at the end, and only where every use of the node is that `neg`.
+// Pass `signs` leaves one canonical node for a value and its negative, and a `neg` for each use of the negative. If
+// that `neg` is the node's only use, this pass computes the negative directly: -(a - b) becomes b - a, -(a * k) becomes
+// a * -k. It reverses the rules of `signs`, so it runs once, at the end.
 Graph pass_negations(Graph graph, PassSettings const &settings) {
   std::vector<std::uint32_t> uses(graph.nodes.size(), 0);
   std::vector<char> live = live_nodes(graph);
@@ -17,7 +17,7 @@ Graph pass_negations(Graph graph, PassSettings const &settings) {
   }
   for_each_root(graph, [&](NodeId root) { ++uses[root]; });
 
-  // The negative of `node` as one operation, or nothing. b - a for -(a - b) differs in the sign of zero.
+  // The negative of `node` as one operation, else nullopt. b - a for -(a - b) differs in the sign of zero.
   NodeTable table;
   table.reserve(graph.nodes.size());
   auto negative = [&](Node node) -> std::optional<Node> {
@@ -54,7 +54,7 @@ Graph pass_negations(Graph graph, PassSettings const &settings) {
   Graph result = without_nodes(graph);
   result.nodes = table.release();
   if (!graph.node_exact.empty()) {
-    // The negative of what is exact is exact.
+    // The negative of an exact node is exact.
     result.node_exact.resize(result.nodes.size(), 0);
     for (std::size_t id = 0; id < graph.nodes.size(); ++id)
       if (graph.nodes[id].op == Op::neg && graph.node_exact[graph.nodes[id].operand[0]]) result.node_exact[now[id]] = 1;

@@ -9,12 +9,12 @@ namespace symreal {
 
 namespace {
 
-// Exponents are counted in halves: 5 is x^2.5. Each multiplication rounds, so x^n is off by n / 2 units in the last
-// place at most, which bounds n.
+// Exponents are stored in halves: 5 is x^2.5. Each multiplication rounds, so x^n is off by at most n / 2 units in the
+// last place, which bounds n.
 constexpr int most_halves = 2 * 64;
 
-// All powers of one base. Those with positive exponents are products; the others are reciprocals of products, or
-// products of one reciprocal.
+// All powers of one base. Positive powers are products; negative ones are reciprocals of products, or products of one
+// reciprocal.
 class PowersOfBase {
 public:
   PowersOfBase(std::map<int, std::vector<NodeId>> const &exponents, CostModel const &costs) : costs_(costs) {
@@ -31,7 +31,7 @@ public:
 
   double cost() const { return cost_; }
 
-  // The powers by their exponents.
+  // Nodes of the powers, keyed by exponent.
   std::map<int, NodeId> make(NodeId base, NodeTable &table) const {
     std::map<int, NodeId> powers = products(base, positive_, table);
     if (has_reciprocal_) {
@@ -75,7 +75,7 @@ private:
   double cost_ = 0;
 };
 
-// The exponent of a power that multiplications can make, in halves, or 0.
+// Exponent in halves if multiplications can make the power, else 0.
 int halves_of(Graph const &graph, NodeId id) {
   Node const &node = graph.nodes[id];
   if (node.op != Op::pow || node.attribute != Attribute::variable) return 0;
@@ -88,10 +88,10 @@ int halves_of(Graph const &graph, NodeId id) {
 
 } // namespace
 
-// Powers of one base share their products: x^2, x^3 and x^6 take three multiplications.
+// Shares products among the powers of one base: x^2, x^3 and x^6 take three multiplications.
 Graph pass_powers(Graph graph, PassSettings const &settings) {
   std::vector<char> const live = live_nodes(graph);
-  std::map<NodeId, std::map<int, std::vector<NodeId>>> bases; // exponents and nodes
+  std::map<NodeId, std::map<int, std::vector<NodeId>>> bases; // per base, nodes by exponent
   for (NodeId id = 0; id < graph.nodes.size(); ++id)
     if (int const halves = live[id] ? halves_of(graph, id) : 0) bases[graph.nodes[id].operand[0]][halves].push_back(id);
   if (bases.empty()) return graph;

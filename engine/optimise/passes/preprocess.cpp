@@ -7,13 +7,13 @@ namespace symreal {
 
 namespace {
 
-// The parametric nodes that the variable part or an output uses directly; a bare parameter too, since `compute` sees no
+// Parametric nodes that the variable part or an output uses directly, bare parameters included, since `compute` gets no
 // parameters.
 std::vector<char> needed_by_compute(Graph const &graph) {
   std::vector<char> const live = live_nodes(graph);
   std::vector<char> needed(graph.nodes.size(), 0);
   auto is_parametric = [&](NodeId id) { return graph.nodes[id].attribute == Attribute::parametric; };
-  // A list of arguments cannot be stored, but what it holds can.
+  // An argument list cannot be stored, but its elements can.
   auto need = [&](NodeId operand) {
     for (; is_parametric(operand) && graph.nodes[operand].op == Op::argument; operand = graph.nodes[operand].operand[0])
       if (NodeId value = graph.nodes[operand].operand[1]; is_parametric(value)) needed[value] = 1;
@@ -32,8 +32,8 @@ std::vector<char> needed_by_compute(Graph const &graph) {
   return needed;
 }
 
-// Of what `compute` needs, and what that is made of: what costs less to compute again than to load. To need a node
-// costs a load; to compute it saves that load, costs the operation, and needs its operands.
+// Rematerialization in `compute`: among the needed nodes and their operands, selects those cheaper to recompute than to
+// load. A needed node costs a load; recomputing it saves the load, costs the operation, and needs its operands.
 class Recomputation {
 public:
   Recomputation(Graph const &graph, CostModel const &costs, std::vector<char> const &needed)
@@ -57,7 +57,7 @@ public:
     }
   }
 
-  // What `preprocess` stores.
+  // Nodes that `preprocess` stores.
   std::vector<char> stored() const {
     std::vector<char> const chosen = closure_.best();
     std::vector<char> stored = needed_;
@@ -86,14 +86,14 @@ private:
   CostModel const &costs_;
   std::vector<char> const &needed_;
   Closure closure_;
-  std::unordered_map<NodeId, Closure::Item> item_, computed_; // that a node is needed, that `compute` computes it
+  std::unordered_map<NodeId, Closure::Item> item_, computed_; // items: the node is needed; `compute` recomputes it
 };
 
 } // namespace
 
-// The boundary between the two functions: what crosses it gets a slot of `constants`, as few nodes as possible. What
-// lies behind the boundary is parametric by definition of the attribute and so runs in `preprocess`; what lies before
-// it and depends on stored values alone `compute` computes again, where that is cheaper than a load.
+// Boundary between `preprocess` and `compute`: each value that crosses it takes a slot of `constants`, so few should.
+// Parametric nodes run in `preprocess`; `compute` recomputes those that depend on stored values alone if that is
+// cheaper than a load.
 Graph pass_preprocess(Graph graph, PassSettings const &settings) {
   std::vector<char> const needed = needed_by_compute(graph);
   std::vector<char> const stored = Recomputation(graph, settings.costs, needed).stored();

@@ -2,8 +2,8 @@
 
 namespace symreal {
 
-// Runs before all others, since what no output needs may show that two things are equal which one needs. What
-// `preprocess` has split stays as it is.
+// Runs before all other passes, since a dead node may prove two live ones equal. A graph that `preprocess` has split
+// stays unchanged.
 Graph pass_recover(Graph graph, PassSettings const &settings) {
   if (settings.effort == 0 || !graph.precomputed.empty()) return graph;
   return algebra::recover_structure(pass_simplify(std::move(graph), settings), settings.effort, settings.costs,

@@ -3,8 +3,8 @@
 
 namespace symreal {
 
-// The terms of a sum, and the factors of a product, that depend on parameters or numbers alone are brought together:
-// a + x + b is x + (a + b), whose second sum `preprocess` computes. What comes from inputs stays in its order.
+// Brings together the terms of a sum, or factors of a product, that depend on no input: a + x + b becomes x + (a + b),
+// whose second sum `preprocess` computes. The other terms keep their order.
 Graph pass_regroup(Graph graph, PassSettings const & /*settings*/) {
   if (!graph.precomputed.empty()) return graph;
   return regrouped(graph, [](Group const &group, NodeTable &table) -> std::optional<SignedNode> {

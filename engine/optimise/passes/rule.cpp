@@ -53,7 +53,7 @@ static bool may_stand_for(char letter, Node const &node) {
   }
 }
 
-// Patterns are at most two operations deep, so the recursion is bounded by the table, not by the graph.
+// Patterns are at most two operations deep, so the rule table bounds the recursion, not the graph.
 static bool match_term(Term const &term, FloatingPoint mode, NodeId id, NodeTable const &table, Bindings &bindings) {
   Node const &node = table[id];
   switch (term.kind) {
@@ -70,7 +70,7 @@ static bool match_term(Term const &term, FloatingPoint mode, NodeId id, NodeTabl
   return true;
 }
 
-// What a look at the operand alone tells: most rules end here.
+// Quick reject by the operand's own node; most rules fail here.
 static bool may_match(Term const &term, Node const &node) {
   switch (term.kind) {
   case Term::Kind::number: return node.is_constant();

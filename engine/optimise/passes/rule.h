@@ -1,4 +1,4 @@
-// Rewrite rules as data (rules.def) and how they match.
+// Rewrite rules, read from rules.def, and their matching.
 #pragma once
 
 #include "engine/graph/node_table.h"
@@ -22,22 +22,22 @@ struct Rule {
   Term pattern, replacement;
 };
 
-// All rules in the order of the table, parsed.
+// All rules, parsed, in table order.
 std::span<Rule const> rules();
 
-// What the letters of a pattern stand for; no_node where a letter does not occur.
+// Nodes bound to the letters of a pattern; no_node if the pattern does not use the letter.
 struct Bindings {
   std::array<NodeId, 26> node;
   NodeId &operator[](char letter) { return node[static_cast<std::size_t>(letter - 'a')]; }
 };
 
-// Whether the rule applies to `node`, an operation on nodes of `table`. The rule's root operation must be the node's.
+// Whether the rule applies to `node`, an operation on nodes of `table`. The root operations must be equal.
 bool match(Rule const &rule, Node const &node, NodeTable const &table, Bindings &bindings);
 
-// Whether the condition holds at a value of k; those on x are matters of its node, not of values, and count as true.
+// Whether the condition holds for the value k; conditions on x constrain its node, not a value, and count as true.
 bool holds_for_value(Condition condition, double k);
 
-// The canonical order of the operands of a commutative operation: old before young, constants last.
+// Canonical operand order of a commutative operation: older nodes first, constants last.
 bool is_newer(NodeId a, NodeId b, NodeTable const &table);
 
 } // namespace symreal

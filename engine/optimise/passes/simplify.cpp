@@ -3,8 +3,8 @@
 
 namespace symreal {
 
-// Together rather than in turn: a folded constant makes an identity, an identity makes two nodes equal, equal nodes
-// make x-x. As every node is made from operands in final form, one sweep reaches what any repetition of the four would.
+// All topics in one sweep: a folded constant enables an identity, an identity makes two nodes equal, equal nodes make
+// x-x. As every node is built from operands in final form, one sweep reaches the fixed point.
 Graph pass_simplify(Graph graph, PassSettings const &settings) {
   constexpr auto all = static_cast<unsigned>(Topic::identities) | static_cast<unsigned>(Topic::signs) |
                        static_cast<unsigned>(Topic::algebra);

@@ -13,14 +13,14 @@ namespace symreal {
 
 namespace {
 
-// Arithmetic leaves numbers of 16 or 17 digits; who writes one by hand stops before.
+// Whether the constant is a literal: computed ones have 16 or 17 digits, handwritten ones fewer.
 bool is_written(double value) {
   constexpr std::ptrdiff_t most_digits = 12;
   std::array<char, 32> text{};
   auto const end =
       std::to_chars(text.data(), text.data() + text.size(), std::fabs(value), std::chars_format::scientific);
   char const *const exponent = std::find(text.data(), end.ptr, 'e');
-  return exponent - text.data() - 1 <= most_digits; // without the point
+  return exponent - text.data() - 1 <= most_digits; // the decimal point excluded
 }
 
 std::optional<double> exact_near(double value, double distance) {
@@ -80,7 +80,7 @@ private:
     return graph_.nodes[id].is_constant() ? exact_near(graph_.nodes[id].value(), distance_) : std::nullopt;
   }
 
-  // In place of constant `id` for node `user`.
+  // Replaces constant `id` for node `user`.
   NodeId use(NodeId id, double exact, NodeId user) {
     auto const [known, is_new] = places_.try_emplace(id, result_.constants.size());
     if (is_new) result_.constants.push_back({graph_.nodes[id].value(), exact, 0, no_location});
@@ -94,7 +94,7 @@ private:
   Graph const &graph_;
   double distance_;
   NodeTable table_;
-  std::unordered_map<NodeId, std::size_t> places_; // in result_.constants
+  std::unordered_map<NodeId, std::size_t> places_; // indices into result_.constants
   Snapped result_;
 };
 

@@ -6,12 +6,12 @@ namespace symreal {
 
 namespace {
 
-// A set of operations, in which several may stand for each other.
+// Set of operations as a 64-bit Bloom filter: several may share a bit.
 using OperationSet = std::uint64_t;
 
 OperationSet only(Op op) { return OperationSet{1} << static_cast<unsigned>(op) % 64; }
 
-// What must be among the operands where the rule applies. Most rules are out by this alone.
+// Operations required among the operands for the rule to apply. This filter rejects most rules.
 OperationSet needs_of(Rule const &rule) {
   OperationSet needs = 0;
   for (Term const &term : rule.pattern.operands)
@@ -54,7 +54,7 @@ public:
   }
 
 private:
-  // What stands for an exact node is exact, too.
+  // The replacement of an exact node is exact.
   NodeId intern(Node const &node) {
     NodeId const id = table_.intern(node);
     if (exact_) {
@@ -64,7 +64,7 @@ private:
     return id;
   }
 
-  // Recursion is bounded: a replacement has at most three operations, and a sign only moves outwards past each.
+  // Recursion is bounded: a replacement has at most three operations, and each lets a sign move outwards only.
   NodeId make(Op op, std::array<NodeId, 3> operand) {
     if (options_.canonical_order && info(op).has(flag::COMMUTATIVE) && is_newer(operand[0], operand[1], table_))
       std::swap(operand[0], operand[1]);
@@ -119,7 +119,7 @@ private:
         table_.operation(Op::wide, high, table_.constant(static_cast<double>(bits & 0xFFFFFFFFu)), no_node));
   }
 
-  // Of a constant: an integer of 64 bits is a node of its two halves.
+  // Value of a constant; a 64-bit integer is a node of its two halves.
   double value_of(NodeId id) const {
     if (id == no_node) return 0;
     Node const &node = table_[id];
@@ -135,8 +135,8 @@ private:
 
   std::array<std::vector<Candidate>, static_cast<std::size_t>(Op::count)> rules_;
   NodeTable table_;
-  NodeId node_ = no_node; // of the graph that is swept, whose turn it is
-  bool exact_ = false;    // what is made now
+  NodeId node_ = no_node; // node of the input graph in progress
+  bool exact_ = false;    // whether that node is exact
   std::vector<char> exact_nodes_;
 };
 

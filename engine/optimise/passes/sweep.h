@@ -1,5 +1,5 @@
-// One sweep over a graph in topological order: every node is made anew from its simplified operands, by rule, by
-// folding, or as it was. The result is hash consed.
+// One sweep over a graph in topological order: rebuilds each node from its simplified operands, by rule, by folding, or
+// unchanged. The result is hash-consed.
 #pragma once
 
 #include "engine/graph/graph.h"
@@ -9,19 +9,19 @@
 
 namespace symreal {
 
-// How far a sweep goes: after so many rewrites nodes stay as they are. For finding the one that is wrong.
+// Budget of rewrites, after which nodes stay unchanged; serves to bisect for a wrong rewrite.
 struct RewriteLimit {
   std::size_t most = std::numeric_limits<std::size_t>::max();
   std::size_t done = 0;
-  Rule const *last = nullptr; // of the last rewrite; none: constants were folded
-  NodeId last_node = no_node; // that it was made of, in the graph before the sweep
+  Rule const *last = nullptr; // rule of the last rewrite; null if constants were folded
+  NodeId last_node = no_node; // node that it replaced, in the input graph
 };
 
 struct SweepOptions {
   FloatingPoint mode = FloatingPoint::finite;
-  unsigned topics = 0;          // a union of Topic
-  bool fold = false;            // evaluate operations on constants, functions with the libm of this process
-  bool canonical_order = false; // operands of commutative operations in one order, so that a+b and b+a are one node
+  unsigned topics = 0;          // bit set of Topic
+  bool fold = false;            // evaluate operations on constants, calling the libm of this process
+  bool canonical_order = false; // order commutative operands, so that a+b and b+a are one node
   RewriteLimit *limit = nullptr;
 };
 

@@ -51,7 +51,7 @@ private:
     return numbering_.operation(node.op, operands);
   }
 
-  // A number where it is used: unknown if nothing has computed it yet.
+  // Value of a node at its use; unknown if it has not been computed yet.
   Value used(NodeId id) {
     if (!function_.is_computed(id)) return leaf(id);
     Lane const &lane = lanes_.lane[id];

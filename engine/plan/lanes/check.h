@@ -1,15 +1,14 @@
-// The proof that vectors have what their function computes.
+// Proof that the lanes of vectors hold the values of the function.
 //
-// Method: all that the function computes is carried out in its order, with the numbers of values
-// (schedule/numbering.h) in place of values. Each lane must have the number of the node that it stands for, and each
-// result be stored.
+// Method: value numbering (schedule/numbering.h) of the function in its order. Each lane must have the number of the
+// node that it represents, and each result must be stored.
 #pragma once
 
 #include "engine/plan/lanes/function.h"
 
 namespace symreal::lanes {
 
-// What is wrong, in words; empty where nothing is.
+// Description of the first difference; empty if the vectors are correct.
 std::string find_difference(Function const &function, LaneFunction const &lanes);
 
 } // namespace symreal::lanes

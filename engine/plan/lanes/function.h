@@ -1,4 +1,4 @@
-// What operations are packed of: those of one function.
+// The function whose operations are packed into vectors.
 #pragma once
 
 #include "engine/plan/lanes/lane_program.h"
@@ -8,7 +8,7 @@ namespace symreal::lanes {
 
 class Function {
 public:
-  // `plan` must outlive it.
+  // `plan` must outlive this object.
   Function(Schedule const &plan, std::size_t width);
 
   Graph const &graph() const { return *plan_.graph; }
@@ -33,9 +33,9 @@ public:
     }
     return 0;
   }
-  // An operation of this function.
+  // Whether an operation of this function computes the node.
   bool is_computed(NodeId id) const { return !is_constant(id) && !is_element(id); }
-  // One that vectors have: exact or correctly rounded, lane by lane.
+  // Whether vectors have the operation: exact or correctly rounded in each lane.
   bool can_be_packed(NodeId id) const;
 
 private:

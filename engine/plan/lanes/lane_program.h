@@ -1,4 +1,4 @@
-// A function whose operations are in part computed side by side: what an emitter prints.
+// Lane program: a function whose operations are partly vector operations; the input of the emitters.
 #pragma once
 
 #include "engine/plan/schedule/schedule.h"
@@ -11,21 +11,21 @@ namespace symreal::lanes {
 using VectorId = std::uint32_t;
 inline constexpr VectorId no_vector = ~VectorId{0};
 
-// Numbers side by side, one in each lane.
+// A vector of numbers, one in each lane.
 struct Vector {
   enum class Form : std::uint8_t {
-    operation, // of the operands, lane by lane
-    constants, // written down
+    operation, // applies `op` to the operands, lane by lane
+    constants, // literals
     splat,     // one number in all lanes
-    load,      // elements of an array that stand side by side
+    load,      // contiguous elements of an array
     shuffle,   // lanes of one operand or of two
-    build,     // numbers from anywhere
+    build,     // scalars of any origin
   } form = Form::build;
-  std::vector<NodeId> nodes = {}; // per lane; of a load no_node where nobody wants the element
+  std::vector<NodeId> nodes = {}; // per lane; no_node in a load for an unused element
   Op op = Op::add;
-  std::vector<char> subtracts = {}; // per lane: of a sum that is a difference there; empty: all lanes are as `op` says
+  std::vector<char> subtracts = {}; // per lane of a sum: whether it is a difference; empty: `op` holds in all lanes
   std::array<VectorId, 2> operand = {no_vector, no_vector};
-  std::vector<std::uint32_t> from = {}; // of a shuffle: a lane of the first operand or, beyond the width, of the second
+  std::vector<std::uint32_t> from = {}; // of a shuffle: lane of the first operand; from the width on, of the second
   Array array = Array::input;
   std::size_t first = 0; // of a load
 };
@@ -37,13 +37,13 @@ struct Lane {
   bool is_given() const { return vector != no_vector; }
 };
 
-// Results that stand side by side.
+// A vector store to contiguous results.
 struct Store {
   VectorId vector;
   std::size_t first;
 };
 
-// A vector, or an operation that is computed alone.
+// A vector, or a scalar operation.
 struct Item {
   bool is_vector;
   std::uint32_t id;
@@ -52,12 +52,12 @@ struct Item {
 struct LaneFunction {
   std::size_t width = 0;
   std::vector<Vector> vectors = {};
-  std::vector<Lane> lane = {}; // per node: where it is computed, if it is not alone
+  std::vector<Lane> lane = {}; // per node: the lane that computes it; none for scalar operations
   std::vector<Store> stores = {};
-  std::vector<Item> order = {};             // what is computed: each behind what it needs
-  std::size_t operations = 0, in_lanes = 0; // of the graph
+  std::vector<Item> order = {};             // operations and vectors, each behind its operands
+  std::size_t operations = 0, in_lanes = 0; // operation counts of the graph
 
-  // Whether a result is stored by itself.
+  // Whether a scalar store stores the result.
   bool is_stored_alone(std::size_t slot) const;
 };
 

@@ -10,7 +10,7 @@ namespace symreal {
 
 namespace {
 
-// The search takes more than linear time, and compilers do on one function.
+// Limit on operations: the search takes superlinear time, and so do compilers on one function.
 constexpr std::size_t most_operations = 3000;
 
 std::string obstacle(Schedule const &plan) {

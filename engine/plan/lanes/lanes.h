@@ -1,9 +1,9 @@
-// --vector: operations of one kind side by side, as vectors.
+// --vector: packs isomorphic operations into vectors.
 //
-// A recorded program is one long sequence of operations, in which what a loop or three coordinates had in common can no
-// longer be seen by compilers: their vectorisers of straight-line code find little of it, and gcc's fuses what must not
-// be fused. Here isomorphic operations are sought in the graph and become operations on vectors, lane by lane: each
-// number is computed by the same operations as before. docs/reference/lanes.md says more.
+// A recorded program is one long sequence of operations, which hides the structure of its loops and coordinates from
+// compilers: their SLP vectorisers find little, and gcc's fuses operations that must not be fused. This pass finds
+// isomorphic operations in the graph and computes them as vector operations, lane by lane: each number results from the
+// same operations as before. Details: docs/reference/lanes.md.
 #pragma once
 
 #include "engine/plan/lanes/lane_program.h"
@@ -16,14 +16,13 @@ namespace symreal {
 
 struct Laned {
   std::optional<lanes::LaneFunction> compute;
-  std::string why_not = {}; // where it has no vectors
+  std::string why_not = {}; // the reason, if it has no vectors
 };
 
-// Function compute of the schedule with vectors of `width` numbers. What is found is proved (check.h) whenever this
-// runs.
+// Function compute of the schedule with vectors of `width` numbers. The result is always proved (check.h).
 Laned laned(Schedule const &plan, std::size_t width);
 
-// How much of the operations stands in vectors, in words.
+// Description of the share of operations in vectors.
 std::string describe(lanes::LaneFunction const &function);
 
 } // namespace symreal

@@ -8,8 +8,7 @@ namespace {
 
 constexpr int deepest_look = 3;
 
-// How far apart two values are that would stand in lanes so far from each other: 0 for one node, or for elements side
-// by side.
+// Mismatch of two values in lanes at this distance: 0 for one node, or for elements at the same distance.
 class Distance {
 public:
   Distance(Function const &function, std::ptrdiff_t lanes) : function_(function), lanes_(lanes) {}
@@ -69,7 +68,7 @@ std::optional<Match> match(Function const &function, std::vector<NodeId> const &
     for (NodeId id : nodes) result.operand[0].push_back(function.node(id).operand[0]);
     return result;
   }
-  // The operands of a difference cannot change places, so others go by one if there is one.
+  // The operands of a difference cannot be exchanged, so the first difference, if any, determines the order for all.
   std::size_t const anchor =
       subs == 0 ? 0 : static_cast<std::size_t>(std::ranges::find_if(nodes, is_sub) - nodes.begin());
   Node const &like = function.node(nodes[anchor]);

@@ -1,4 +1,4 @@
-// Which operands of isomorphic operations belong together.
+// Pairing of the operands of isomorphic operations.
 #pragma once
 
 #include "engine/plan/lanes/function.h"
@@ -7,14 +7,14 @@
 
 namespace symreal::lanes {
 
-// Operations of several nodes as one of vectors.
+// Operations on several nodes as one vector operation.
 struct Match {
   Op op;
-  std::vector<char> subtracts = {};           // as that of a vector
-  std::array<std::vector<NodeId>, 2> operand; // the second is empty where there is none
+  std::vector<char> subtracts = {};           // as in Vector
+  std::array<std::vector<NodeId>, 2> operand; // the second is empty for unary operations
 };
 
-// Nothing where the operations differ, or are no operations of vectors, or all are the same node.
+// Matched operations; nullopt if they differ, have no vector form, or are all the same node.
 std::optional<Match> match(Function const &function, std::vector<NodeId> const &nodes);
 
 } // namespace symreal::lanes

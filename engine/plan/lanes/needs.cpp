@@ -5,13 +5,13 @@
 
 namespace symreal::lanes {
 
-// In operations, as processors with vectors of this width take them: a scalar operand is often read from memory by the
-// operation itself, and so is a vector that stands there.
+// Prices in scalar operations on processors with vectors of this width: an operand in memory, scalar or vector, is
+// often read by the operation itself.
 namespace price {
 constexpr double operation = 1, store = 1, load = 0.5, constants = 0.25;
 constexpr double splat_of_element = 0.5, splat = 1;
 constexpr double shuffle = 1, shuffle_of_two = 1.5;
-constexpr double column = 1; // beside the steps of transposing, most of which several columns share
+constexpr double column = 1; // besides the transposition steps, most of which several columns share
 constexpr double extract = 1, extract_first = 0.25;
 } // namespace price
 
@@ -36,7 +36,7 @@ double Needs::cost() {
   return cost_;
 }
 
-// Depth first, with a stack of its own. False where something needs itself.
+// Depth-first search with an explicit stack; false on a cycle.
 bool Needs::visit(Key root) {
   stack_.assign(1, root);
   while (!stack_.empty()) {
@@ -98,7 +98,7 @@ void Needs::expand_vector(VectorId id) {
 
 double Needs::price(Source const &source, std::vector<NodeId> const &nodes) {
   double sum = 0;
-  for (Source::Part const &part : source.parts) { // a window is loaded once
+  for (Source::Part const &part : source.parts) { // each window is loaded once
     if (!part.is_load() || std::ranges::find(windows_, part) != windows_.end()) continue;
     windows_.push_back(part);
     sum += price::load;

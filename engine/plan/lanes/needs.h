@@ -1,4 +1,4 @@
-// What a function computes, given its vectors: what that costs, and in which order it can be done.
+// Needs of a function: the operations that remain with its vectors, their cost, and their order.
 #pragma once
 
 #include "engine/plan/lanes/packs.h"
@@ -7,7 +7,7 @@
 
 namespace symreal::lanes {
 
-// Results that are stored alone or as a vector, given the vectors.
+// The operations that stored results need, given the vectors.
 class Needs {
 public:
   Needs(Function const &function, Packs const &packs, std::vector<Store> const &stores)
@@ -17,17 +17,17 @@ public:
 
   static constexpr double impossible = std::numeric_limits<double>::infinity();
 
-  // In operations; `impossible` where vectors wait for each other. Linear in what is computed.
+  // Cost in operations; `impossible` if vectors depend on each other. Linear in the operations.
   double cost();
 
-  // After that: what is needed, each behind what it needs.
+  // Needed items, each behind its operands; valid after cost().
   std::vector<Item> const &order() const { return order_; }
-  // The operations that are computed alone.
+  // Whether the node is a needed scalar operation.
   bool is_alone(NodeId id) const { return state_[id] == State::done && !packs_.place(id).is_given(); }
 
 private:
   enum class State : char { unseen, open, done };
-  using Key = std::uint32_t; // a node, or behind all nodes a vector
+  using Key = std::uint32_t; // a node; from the node count on, a vector
 
   Key key(VectorId id) const { return static_cast<Key>(function_.graph().nodes.size()) + id; }
   bool is_vector(Key key) const { return key >= function_.graph().nodes.size(); }

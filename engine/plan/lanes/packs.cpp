@@ -72,7 +72,7 @@ Source Packs::source(VectorId id) const {
   return {Vector::Form::build};
 }
 
-// The lane of a part that has the node.
+// Lane of the part that has the node.
 std::optional<std::uint32_t> Packs::lane_in(NodeId node, Source::Part const &part) const {
   if (part.is_load()) {
     if (!function_.is_element(node)) return {};
@@ -87,7 +87,7 @@ std::optional<std::uint32_t> Packs::lane_in(NodeId node, Source::Part const &par
   return {};
 }
 
-// Nodes that are all in the first part, or in it and one of the others.
+// Shuffle of nodes that are all in the first part, or in it and one of the others.
 std::optional<Source> Packs::from_parts(std::vector<NodeId> const &nodes, Source::Part const &first,
                                         std::vector<Source::Part> const &others) const {
   auto const try_parts = [&](std::vector<Source::Part> const &parts) -> std::optional<Source> {
@@ -109,7 +109,7 @@ std::optional<Source> Packs::from_parts(std::vector<NodeId> const &nodes, Source
   return {};
 }
 
-// Of lanes that are computed.
+// Shuffle of computed lanes.
 std::optional<Source> Packs::shuffled(std::vector<NodeId> const &nodes) const {
   if (std::ranges::any_of(nodes, [&](NodeId node) { return places_[node].empty(); })) return {};
   std::optional<Source> of_two;
@@ -126,7 +126,7 @@ std::optional<Source> Packs::shuffled(std::vector<NodeId> const &nodes) const {
   return of_two;
 }
 
-// Of elements of one array: side by side, or from one window of it or two.
+// Load of contiguous elements of one array, or shuffle of one or two windows of it.
 std::optional<Source> Packs::loaded(std::vector<NodeId> const &nodes) const {
   if (!std::ranges::all_of(nodes, [&](NodeId node) { return function_.is_element(node); })) return {};
   Array const array = function_.element(nodes[0]).array;
@@ -146,14 +146,14 @@ std::optional<Source> Packs::loaded(std::vector<NodeId> const &nodes) const {
     lowest = std::min(lowest, index(lane));
     highest = std::max(highest, index(lane));
   }
-  // Windows that begin at multiples of the width are wanted more often.
+  // Windows that begin at multiples of the width are shared more often.
   Source::Part const low = window(lowest / width * width), high = window(highest / width * width);
   if (auto source = from_parts(nodes, low, {})) return source;
   if (highest - lowest < width) return from_parts(nodes, window(lowest), {});
   return from_parts(nodes, low, {high});
 }
 
-// Every so many elements of one array: the rows around them are in it as well.
+// Strided elements of one array, whose surrounding rows are inside the array.
 std::optional<Source> Packs::column(std::vector<NodeId> const &nodes) const {
   if (!std::ranges::all_of(nodes, [&](NodeId node) { return function_.is_element(node); })) return {};
   Element const first = function_.element(nodes[0]), second = function_.element(nodes[1]);

@@ -1,4 +1,4 @@
-// The vectors of a function while they are sought: operations on vectors, and where all other vectors come from.
+// Packs: the vectors of a function during the search, with the sources of those that are not operations.
 #pragma once
 
 #include "engine/plan/lanes/function.h"
@@ -7,11 +7,11 @@
 
 namespace symreal::lanes {
 
-// Where the numbers of a vector are that is no operation.
+// Origin of the numbers of a vector other than an operation.
 struct Source {
-  // Elements of an array, or lanes that are computed.
+  // A window of array elements, or a computed vector.
   struct Part {
-    VectorId pack = no_vector; // otherwise elements
+    VectorId pack = no_vector; // no_vector: array elements
     Array array = Array::input;
     std::size_t first = 0;
 
@@ -19,9 +19,9 @@ struct Source {
     bool operator==(Part const &) const = default;
   };
   Vector::Form form;
-  std::vector<Part> parts = {}; // of a load one, of a shuffle one or two
+  std::vector<Part> parts = {}; // one for a load, one or two for a shuffle
   std::vector<std::uint32_t> from = {};
-  std::size_t column = 0, stride = 0; // of a build from every so many elements of an array, as columns of a matrix are
+  std::size_t column = 0, stride = 0; // of a build from elements a stride apart, such as a matrix column
 };
 
 class Packs {
@@ -39,15 +39,15 @@ public:
   std::size_t size() const { return packs_.size(); }
   Pack const &operator[](VectorId id) const { return packs_[id]; }
 
-  // A vector of these nodes. It is an operation if the nodes are isomorphic and not in vectors already; so are its
-  // operands, as far as that goes.
+  // Vector of these nodes. It is an operation if the nodes are isomorphic and not yet in vectors; its operands are
+  // grown likewise.
   VectorId grow(std::vector<NodeId> const &nodes);
-  // All vectors from this one on are forgotten.
+  // Removes all vectors from number `size` on.
   void cut(std::size_t size);
-  // Whether the vector is an operation, and not a vector of what is computed alone.
+  // Sets whether the vector is an operation, or is built from scalars.
   void set_operation(VectorId id, bool is_operation);
 
-  // Where a node is computed in a vector: in the first that has it.
+  // Lane that computes the node: in the first vector that has it.
   Lane place(NodeId id) const { return places_[id].empty() ? Lane{} : places_[id].front(); }
   Source source(VectorId id) const;
 

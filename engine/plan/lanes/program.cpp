@@ -33,7 +33,7 @@ public:
   }
 
 private:
-  // Its operands have been added.
+  // Adds a vector whose operands have been added.
   void add(VectorId id) {
     Packs::Pack const &pack = packs_[id];
     Vector vector{.nodes = pack.nodes};
@@ -71,7 +71,7 @@ private:
     result_.vectors.push_back(std::move(vector));
   }
 
-  // A window of an array is loaded once.
+  // Loads a window of an array, once.
   VectorId load(Source::Part const &part, std::vector<NodeId> nodes) {
     auto const is_it = [&](Vector const &vector) {
       return vector.form == Vector::Form::load && vector.array == part.array && vector.first == part.first;
@@ -88,8 +88,8 @@ private:
     return static_cast<VectorId>(at - result_.vectors.begin());
   }
 
-  // A column of the matrix whose rows are windows of an array. Transposed in steps: at each, neighbours are joined to
-  // vectors that hold blocks of twice as many rows, and half as many columns.
+  // A column of the matrix whose rows are windows of an array. Transposition in log2(width) steps: each joins
+  // neighbours into vectors with blocks of twice as many rows and half as many columns.
   VectorId column(Source const &source, std::vector<NodeId> const &nodes) {
     std::size_t const width = function_.width();
     std::vector<VectorId> rows;
@@ -122,7 +122,7 @@ private:
     return static_cast<VectorId>(result_.vectors.size() - 1);
   }
 
-  // Calls `visit` with what an item needs: numbers of nodes, and behind them of vectors.
+  // Calls `visit` with the operands of an item: node ids, or vector ids offset by the node count.
   template <class Visit> void for_each_need(std::uint32_t item, Visit const &visit) const {
     auto const need = [&](NodeId id) {
       if (!function_.is_computed(id)) return;
@@ -142,8 +142,8 @@ private:
   }
   std::uint32_t key(VectorId id) const { return static_cast<std::uint32_t>(function_.graph().nodes.size()) + id; }
 
-  // In the order of recording, as scalar code: an operation on vectors stands where its last lane did, and what it is
-  // gathered from just before it.
+  // Keeps the order of recording: a vector operation takes the place of its last lane, and its gathers come just before
+  // it.
   void put_in_order() {
     std::size_t const count = key(0) + result_.vectors.size();
     std::vector<std::uint32_t> items = alone_;
@@ -162,7 +162,7 @@ private:
         turn[key(id)] = std::ranges::max(result_.vectors[id].nodes);
       else
         gathered.push_back(key(id));
-    for (std::size_t k = gathered.size(); k-- > 0;) { // users are younger
+    for (std::size_t k = gathered.size(); k-- > 0;) { // users have higher ids
       turn[gathered[k]] = key(0);
       for (std::uint32_t user : users[gathered[k]]) turn[gathered[k]] = std::min(turn[gathered[k]], turn[user]);
     }
@@ -183,7 +183,7 @@ private:
   Function const &function_;
   Packs const &packs_;
   Needs needs_;
-  std::vector<VectorId> number_; // per pack: in the function
+  std::vector<VectorId> number_; // per pack: its vector in the function
   std::vector<NodeId> alone_;
   LaneFunction result_;
 };

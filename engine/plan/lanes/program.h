@@ -1,4 +1,4 @@
-// From the vectors that were found to a function: where each vector comes from, and in which order.
+// Lane program construction: sources and order of the vectors that the search found.
 #pragma once
 
 #include "engine/plan/lanes/search.h"

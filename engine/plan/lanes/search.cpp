@@ -6,7 +6,7 @@ namespace symreal::lanes {
 
 namespace {
 
-// A vector must save something worth its text.
+// Least gain of a vector, to justify its code.
 constexpr double least_gain = 0.5;
 
 class Search {
@@ -31,7 +31,7 @@ public:
 private:
   double cost() const { return Needs(function_, packs_, stores_).cost(); }
 
-  // The operations that are computed alone, the last first: what they read may go with them.
+  // Scalar operations, the last first, so that their operands may be packed with them.
   std::vector<NodeId> alone() const {
     Needs needs(function_, packs_, stores_);
     needs.cost();
@@ -50,7 +50,7 @@ private:
     }
   }
 
-  // In the order that gains most.
+  // Packs a group in the order with the greatest gain.
   void pack_group(std::vector<std::vector<NodeId>> const &orders) {
     std::size_t const size = packs_.size();
     double const before = cost_;
@@ -91,11 +91,11 @@ private:
     return false;
   }
 
-  // An operation that costs more as a vector than alone is no vector.
+  // Unpacks an operation that costs more as a vector than as scalars.
   double trim(VectorId id, double cost) {
     Packs::Pack const &pack = packs_[id];
     if (!pack.is_operation) return cost;
-    for (VectorId operand : pack.operand) // what it is made of would be taken apart again
+    for (VectorId operand : pack.operand) // its operands would be taken apart again
       if (operand != no_vector && packs_[operand].is_operation) return cost;
     packs_.set_operation(id, false);
     if (double const less = this->cost(); less < cost) return less;

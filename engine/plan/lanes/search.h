@@ -1,12 +1,12 @@
-// Which operations are computed side by side.
+// Search for operations to pack into vectors.
 #pragma once
 
 #include "engine/plan/lanes/needs.h"
 
 namespace symreal::lanes {
 
-// Vectors begin at results that stand side by side and at operations of one shape, and grow along their operands. What
-// makes the function cheaper stays.
+// Vectors start at contiguous results and at operations of one shape, and grow along their operands. Vectors that
+// reduce the function's cost are kept.
 struct Found {
   Packs packs;
   std::vector<Store> stores;

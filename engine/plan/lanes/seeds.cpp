@@ -13,10 +13,10 @@ std::uint64_t mixed(std::uint64_t hash, std::uint64_t word) {
   return hash ^ hash >> 32;
 }
 
-// Per node: a number of its shape, and the sum of the indices that it reads.
+// Per node: hash of its shape, and sum of the indices that it reads.
 class Shapes {
 public:
-  // Whole expressions, or so many operations deep.
+  // Shapes of whole expressions, or of a few levels of operations.
   Shapes(Function const &function, Depth depth) : function_(function), count_(function.graph().nodes.size()) {
     shape.resize(count_);
     place.resize(count_, 0);
@@ -40,7 +40,7 @@ private:
     if (is_element) place[id] = function_.element(id).index;
   }
 
-  // By those of operands, which may be the same numbers: then these are new already.
+  // Extends the shapes by those of the operands, which may be updated in place.
   void deepen(std::vector<std::uint64_t> const &shapes, std::vector<std::uint64_t> const &places) {
     for (NodeId id = 0; id < count_; ++id) {
       if (!function_.is_computed(id)) continue;
@@ -67,7 +67,7 @@ private:
 std::vector<std::vector<std::vector<NodeId>>> alike(Function const &function, std::vector<NodeId> const &nodes,
                                                     Depth depth) {
   Shapes const shapes(function, depth);
-  std::map<std::uint64_t, std::size_t> number; // of a shape, in the order of the first node that has it
+  std::map<std::uint64_t, std::size_t> number; // of a shape, in order of its first node
   std::vector<std::vector<NodeId>> groups;
   for (NodeId id : nodes) {
     if (!function.can_be_packed(id)) continue;

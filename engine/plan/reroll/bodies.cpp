@@ -23,7 +23,7 @@ bool same(Access const &a, Access const &b) {
 
 bool is_on_circle(Leaf const &leaf) { return leaf.kind == Leaf::Kind::sine || leaf.kind == Leaf::Kind::cosine; }
 
-// Passes may make use of the angle itself, which a body finds among the inputs only.
+// Whether all accessed angles are inputs: passes may read an angle itself, which a body can only do for inputs.
 bool are_of_inputs(Access const &access, std::uint32_t count, Angles const &angles) {
   for (std::uint32_t k = 0; k < count; ++k)
     if (access.at(k) >= angles.inputs.size()) return false;
@@ -36,7 +36,7 @@ std::array<NodeId, 3> moved(Node const &node, std::vector<NodeId> const &now) {
   return operands;
 }
 
-// Of a body, what passes work on, and back.
+// Conversion of a body to the graph that passes work on, and back.
 class Improver {
 public:
   Improver(Step const &step, Angles const &angles) : step_(step), angles_(angles) {
@@ -121,22 +121,22 @@ private:
   }
 
   bool is_angle(std::uint32_t slot) const { return angle_.contains(slot); }
-  // A sine or cosine that the function begins with.
+  // Whether the node is a sine or cosine computed at the start of the function.
   bool is_element(Graph const &graph, Node const &node) const {
     if (node.op != Op::sin && node.op != Op::cos) return false;
     Node const &angle = graph.nodes[node.operand[0]];
     return angle.op == Op::input && is_angle(angle.slot());
   }
 
-  // The angle itself, where passes have made use of it.
+  // Leaf of the angle itself, for passes that use it.
   Leaf input_of(std::uint32_t slot) const {
     std::vector<std::uint32_t> inputs;
     for (std::uint32_t k = 0; k < step_.count; ++k) inputs.push_back(angles_.inputs[step_.leaves[slot].access.at(k)]);
     return {Leaf::Kind::given, access_of(std::move(inputs))};
   }
 
-  // What stores need, and what is carried on where somebody reads it. Marks what comes from tables, and angles that are
-  // read themselves.
+  // Nodes that stores need, and loop-carried values with a reader. Marks the nodes that come from tables, and the
+  // angles that are read themselves.
   std::vector<char> needed_nodes(Graph const &graph) {
     is_table_.assign(graph.nodes.size(), 0);
     is_read_.assign(graph.nodes.size(), 0);
@@ -167,7 +167,7 @@ private:
     return needed;
   }
 
-  // Per node that comes from tables its value in each iteration.
+  // Per table node, its value in each iteration.
   std::vector<std::vector<double>> table_rows(Graph const &graph, std::vector<char> const &needed) const {
     std::size_t count = 1; // of different rows
     for (std::uint32_t const k : tables_)
@@ -198,11 +198,11 @@ private:
   Angles const &angles_;
   std::vector<std::uint32_t> tables_;            // leaves
   std::map<std::uint32_t, std::uint32_t> angle_; // of a sine or cosine: the first leaf of the same angle
-  std::vector<char> is_table_, is_read_;         // per node of the graph that came back
+  std::vector<char> is_table_, is_read_;         // per node of the improved graph
 };
 
-// Bodies that are equal but for what their leaves stand for are searched once: those of the inner loops of two nested
-// ones, for instance.
+// Searches each distinct body once: bodies may differ in their leaves alone, such as those of the inner loops of a
+// nest.
 Improve each_once(Improve const &improve) {
   using Key = std::pair<std::vector<std::uint64_t>, bool>;
   return [&improve, known = std::make_shared<std::map<Key, Graph>>()](Graph graph, bool in_loop) {
@@ -244,10 +244,10 @@ void improve_bodies(LoopFunction &function, Angles const &angles, Improve const 
   for (Step &step : function.steps) {
     has_results = has_results || std::ranges::any_of(step.stores, &Store::is_result);
     Step cheaper = improved(step, angles, once);
-    // Passes may make use of an angle itself, but results may overlap with it.
+    // Passes may read an angle from the inputs, which results may overlap.
     if (!has_results || !reads_arguments(cheaper)) step = std::move(cheaper);
   }
-  function = with_few_signs(std::move(function)); // of what passes have made of tables
+  function = with_few_signs(std::move(function)); // passes have changed the tables
   for (Step &step : function.steps) step = with_short_recurrences(std::move(step));
   function.operations = function.in_loops = 0;
   for (Step const &step : function.steps) {

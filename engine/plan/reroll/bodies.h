@@ -1,7 +1,7 @@
-// Bodies made cheaper by passes, each by itself: for mode fast.
+// Optimisation passes over loop bodies, each on its own, for mode fast.
 //
-// A search in the whole graph treats equal windows unequally, so that nothing repeats any more. So loops are found
-// before it, and it works on their bodies: a search in a thousandth of the operations serves all of them.
+// A search over the whole graph treats equal windows differently and so destroys repeats. Loops are therefore found
+// first, and the search works on a body: a thousandth of the operations, for the benefit of all iterations.
 #pragma once
 
 #include "engine/plan/reroll/loop_program.h"
@@ -11,19 +11,19 @@
 
 namespace symreal::reroll {
 
-// Passes over a graph that has been made of a body; `in_loop`: it is computed more than once.
+// Passes over the graph of a body; `in_loop`: the body is computed more than once.
 using Improve = std::function<Graph(Graph graph, bool in_loop)>;
 
-// A step with less to compute, or as it is. For the passes, what stands in tables of constants is a parameter, and what
-// depends on nothing else goes into the tables, evaluated here row by row; elements of `sine` and `cosine` are the sine
-// and cosine of an input. `angles`: those of the schedule.
+// A step with fewer operations, else the step unchanged. To the passes, table constants are parameters, and nodes that
+// depend on parameters alone move into the tables, evaluated here row by row; elements of `sine` and `cosine` are the
+// sine and cosine of an input. `angles`: those of the schedule.
 Step improved(Step const &step, Angles const &angles, Improve const &improve);
 
-// How many operations a body has, and a step in all its iterations.
+// Operation count of a body, and of a step over all its iterations.
 std::size_t operations_of(Graph const &body);
 std::size_t operations_of(Step const &step);
 
-// All steps, and what the function counts.
+// Improves all steps and updates the operation counts of the function.
 void improve_bodies(LoopFunction &function, Angles const &angles, Improve const &improve);
 
 } // namespace symreal::reroll

@@ -1,4 +1,4 @@
-// The body of a step under construction: a graph whose inputs are its leaves.
+// Builder of the body of a step: a graph whose inputs are its leaves.
 #pragma once
 
 #include "engine/graph/node_table.h"
@@ -15,13 +15,13 @@ public:
     return nodes_.intern(Node::input(static_cast<std::uint32_t>(leaves_.size() - 1)));
   }
   NodeId constant(double value) { return nodes_.constant(value); }
-  // `like`: the node of the graph that it is called as and comes from.
+  // `like`: node of the graph that gives the operation its name and source location.
   NodeId operation(Op op, std::array<NodeId, 3> const &operands, NodeId like);
   void store(NodeId value, bool is_result, Access access) { stores_.push_back({value, is_result, std::move(access)}); }
   void carry(NodeId leaf, NodeId next) { leaves_[nodes_[leaf].slot()].next = next; }
   bool is_empty() const { return stores_.empty(); }
 
-  // `nest`: whose iterations these are, where that is known.
+  // `nest`: loop nest of the iterations, if known.
   Step finish(std::uint32_t count, std::optional<Nest> const &nest = {});
 
 private:

@@ -1,4 +1,4 @@
-// What the body of a loop carries on: over several iterations from one variable to the next.
+// Loop-carried values of a body: a value that is read several iterations later moves from variable to variable.
 #pragma once
 
 #include "engine/plan/reroll/body_builder.h"
@@ -12,7 +12,7 @@ class Carried {
 public:
   Carried(BodyBuilder &body, Memory const &memory) : body_(body), memory_(memory) {}
 
-  // Of what operation `next` of the body computes, and of its values in the first iterations.
+  // Leaf for the value of body operation `next`; `first`: its values in the first iterations.
   NodeId leaf(std::uint32_t next, std::vector<NodeId> first) {
     auto const [entry, is_new] = leaves_.try_emplace({next, first}, no_node);
     if (!is_new) return entry->second;
@@ -22,7 +22,7 @@ public:
     return entry->second = body_.leaf(std::move(leaf));
   }
 
-  // Once it is known what the body computes.
+  // Completes the leaves once the body's operations exist.
   void carry(std::vector<NodeId> const &computed) {
     for (auto const &[key, leaf] : leaves_)
       if (key.second.size() == 1) body_.carry(leaf, computed[key.first]);

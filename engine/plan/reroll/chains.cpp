@@ -8,9 +8,9 @@ namespace symreal::reroll {
 
 namespace {
 
-using Run = std::pair<std::size_t, std::size_t>; // from, to: elements from..to-1
+using Run = std::pair<std::size_t, std::size_t>; // half-open: elements from..to-1
 
-// The longest one in which neighbours are in this order.
+// The longest run whose neighbours are in order.
 template <typename Order> Run longest_run(std::vector<std::uint32_t> const &values, Order in_order) {
   Run best = {0, 0};
   for (std::size_t first = 0, k = 0; k < values.size(); ++k) {
@@ -20,21 +20,21 @@ template <typename Order> Run longest_run(std::vector<std::uint32_t> const &valu
   return best;
 }
 
-// Those whose neighbours are of a run.
+// Chains of a run of neighbours.
 Chains part(Chains const &chains, Run const &run) {
   auto const at = [](auto const &list, std::size_t k) { return list.begin() + static_cast<std::ptrdiff_t>(k); };
   return {{at(chains.ends, run.first), at(chains.ends, run.second + 1)},
           {at(chains.common, run.first), at(chains.common, run.second)}};
 }
 
-// The same but for operands that operations compute. Signs are a matter of columns.h.
+// Whether two operations match, where any computed operand fits any other. Signs are left to columns.h.
 bool alike(Sequence const &sequence, std::uint32_t at, std::uint32_t other) {
   auto const fit = [&](NodeId x, NodeId y) { return x == y || (sequence.is_computed(x) && sequence.is_computed(y)); };
   return match(sequence.operations[at], sequence.operations[other], fit) != Match::none;
 }
 
-// Of two chains the operations at their ends, at most `common` of them, that differ in nothing but in what they have
-// from before.
+// Number of operations at the ends of two chains, at most `common`, that match except for operands from before the
+// chain.
 std::uint32_t linked(Sequence const &sequence, std::uint32_t end, std::uint32_t other_end, std::uint32_t common) {
   auto const depth = [&](NodeId node, std::uint32_t of) {
     std::uint32_t const at = sequence.position[node];
@@ -57,7 +57,7 @@ class Finder {
 public:
   explicit Finder(Sequence const &sequence) : sequence_(sequence), taken_(sequence.size(), 0) {}
 
-  // Chains that may be interchanged, by their ends.
+  // Chains that may be interchanged, in order of their ends.
   std::vector<Chains> run() {
     constexpr std::size_t most_attempts = 32;
     std::size_t attempts = 0;
@@ -75,7 +75,7 @@ public:
   }
 
 private:
-  // To where neighbours end at the same distance, and back to where they differ.
+  // Extends the chains forward to where most neighbours end, and back to where they differ.
   Chains grown(std::vector<std::uint32_t> const &places) const {
     std::vector<std::uint32_t> lengths;
     for (std::size_t j = 0; j + 1 < places.size(); ++j) {
@@ -84,7 +84,7 @@ private:
       while (a + length < b && b + length < sequence_.size() && alike(sequence_, a + length, b + length)) ++length;
       lengths.push_back(length);
     }
-    std::vector<std::uint32_t> sorted = lengths; // a few irregular neighbours must not end all
+    std::vector<std::uint32_t> sorted = lengths; // tolerates a few irregular neighbours
     std::ranges::sort(sorted);
     std::uint32_t length = sorted[sorted.size() / 8];
     std::vector<std::uint32_t> reached;
@@ -104,7 +104,7 @@ private:
     return part(chains, growing.second - growing.first < falling.second - falling.first ? falling : growing);
   }
 
-  // Whether an operation reads what has been computed from `begin` on.
+  // Whether an operation reads a value computed from `begin` on.
   bool follows(std::uint32_t begin, std::uint32_t at) const {
     Operation const &operation = sequence_.operations[at];
     return std::any_of(operation.operands.begin(), operation.operands.begin() + operation.count, [&](Operand const &x) {
@@ -112,7 +112,7 @@ private:
     });
   }
 
-  // No chain waits for another one, nothing between them waits for them, and they have stages.
+  // Whether no chain depends on another, the operations between them depend on no chain, and lengths vary.
   bool may_interchange(Chains const &chains) const {
     std::vector<std::uint32_t> lengths = chains.common;
     std::ranges::sort(lengths);
@@ -136,7 +136,7 @@ private:
   }
 
   Sequence const &sequence_;
-  std::vector<char> taken_; // per operation: whether it is in a chain
+  std::vector<char> taken_; // per operation: whether it belongs to a chain
   std::vector<Chains> found_;
 };
 

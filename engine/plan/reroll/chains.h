@@ -1,4 +1,4 @@
-// Chains of operations that end alike: which loop interchange (interchange.h) makes loops of.
+// Chains of operations with equal ends: the candidates for loop interchange (interchange.h).
 #pragma once
 
 #include "engine/plan/reroll/repeats.h"
@@ -7,7 +7,7 @@
 
 namespace symreal::reroll {
 
-// Where chains end, and per neighbours how many operations they have in common at their ends.
+// Ends of chains, and per pair of neighbours the number of operations that their ends have in common.
 struct Chains {
   std::vector<std::uint32_t> ends, common;
 
@@ -18,8 +18,8 @@ struct Chains {
   std::uint32_t begin(std::size_t chain) const { return ends[chain] - length(chain); }
 };
 
-// Of which none waits for another one, nothing between them waits for them, and each has more operations than the one
-// before, or each has fewer. By where they end. Time is that of sorting the sequence.
+// Chains that are independent of each other and of the operations between them, with strictly increasing or strictly
+// decreasing lengths; in order of their ends. Takes the time of sorting the sequence.
 std::vector<Chains> find_chains(Sequence const &sequence);
 
 } // namespace symreal::reroll

@@ -42,7 +42,7 @@ public:
         return fmt::format("result {} is another value", slot);
     if (checked.size() != checks.size()) return "a guard is not checked";
     for (std::size_t k = 0; k < checked.size(); ++k)
-      if (memory_[checks[k]].number != values[checked[k]].number) // of which only matters whether it is 0
+      if (memory_[checks[k]].number != values[checked[k]].number) // up to sign: only zero matters
         return fmt::format("guard {} has another condition", k);
     return {};
   }

@@ -1,10 +1,9 @@
-// The proof that steps compute what their function does.
+// Proof that the steps compute what their function does.
 //
-// Method: every iteration of every step is carried out with the numbers of values in place of values. Two values have
-// one number if they are the same operation of values with the same numbers; only what is exact in floating point is
-// known besides: that sums and products commute, x - y is x + (-y), and signs go through products and quotients; where
-// zeros have no sign, also through sums. At the end each element that is filled must hold the value that the graph
-// says.
+// Method: value numbering over every iteration of every step. Two values have one number if they are the same operation
+// on operands with the same numbers; besides, only identities that are exact in floating point count: sums and products
+// commute, x - y is x + (-y), and signs move through products and quotients, and through sums where zeros have no sign.
+// At the end each stored element must hold the value that the graph gives.
 #pragma once
 
 #include "engine/plan/reroll/loop_program.h"
@@ -12,7 +11,7 @@
 
 namespace symreal::reroll {
 
-// What is wrong, in words; empty where nothing is.
+// Description of the first difference; empty if the steps are correct.
 std::string find_difference(Sequence const &sequence, LoopFunction const &function, std::vector<NodeId> const &stored,
                             std::vector<NodeId> const &checked, bool zeros_have_signs = true);
 

@@ -49,7 +49,7 @@ private:
     return {.column = number_of(std::move(column))};
   }
 
-  // The operation of the body that computes the operand in every iteration.
+  // Body operation that computes the operand in every iteration; nullopt if it varies.
   std::optional<std::uint32_t> position_inside(std::uint32_t p, unsigned i) {
     std::uint32_t const first = sequence_.position[operand_at(0, p, i).node];
     if (first == no_position || first < repeat_.begin || first >= repeat_.begin + p) return {};
@@ -67,8 +67,7 @@ private:
     return entry->second;
   }
 
-  // A sign that is not the same in all iterations goes into the constants of a product that nobody else uses, or
-  // becomes a factor.
+  // Moves a sign that varies between iterations into the constants of a product with this single use, or into a factor.
   void settle_sign(std::uint32_t p, unsigned i) {
     BodyOperand &operand = body_.operations[p].operands[i];
     std::vector<double> signs;
@@ -89,7 +88,7 @@ private:
     return operand.column != no_column && body_.columns[operand.column].nodes.empty();
   }
 
-  // The constants of the product that is computed for this operand alone.
+  // Constant factor of the product that only this operand uses; null if the operand is another operation.
   BodyOperand *factor_for(BodyOperand const &operand) {
     if (operand.position == no_position) return nullptr;
     BodyOperation &product = body_.operations[operand.position];

@@ -11,12 +11,12 @@ namespace symreal::reroll {
 
 namespace {
 
-// Copies of what one operation of a loop computes, and where it stands in memory; or of one constant, and zeros.
+// Copies from one operation of a loop, with their elements in memory; or of one constant, with zeros as elements.
 struct Group {
-  std::vector<std::uint32_t> numbers, elements = {}; // numbers of the copies
+  std::vector<std::uint32_t> numbers, elements = {}; // indices of the copies
 };
 
-// Those that one loop stores, or two, one in the other.
+// Copies that one loop, or one loop nest, performs.
 struct Line {
   std::vector<std::uint32_t> numbers;
   Access place, element;
@@ -37,7 +37,7 @@ std::optional<Line> whole(Group const &group, std::vector<std::uint32_t> const &
   return line;
 }
 
-// Stretches of them that are a step apart at both ends.
+// Lines of a group: maximal runs whose sources and targets both advance by constant steps.
 std::vector<Line> lines_of(Group const &group, Copies const &copies) {
   std::vector<std::uint32_t> places;
   for (std::uint32_t const number : group.numbers) places.push_back(copies.places[number]);
@@ -93,7 +93,7 @@ std::vector<Line> lines_of(Graph const &graph, Copies const &copies, Memory cons
 void add_copies(Graph const &graph, Copies const &copies, Memory const &memory, std::vector<Step> &steps) {
   constexpr std::size_t most_stores = 500;
   std::vector<char> done(copies.nodes.size(), 0);
-  std::map<std::pair<std::size_t, std::optional<Nest>>, std::vector<Line>> loops; // by how often they go round
+  std::map<std::pair<std::size_t, std::optional<Nest>>, std::vector<Line>> loops; // by iteration count
   for (Line const &line : lines_of(graph, copies, memory)) {
     if (line.numbers.size() < least_count) continue;
     for (std::uint32_t const number : line.numbers) done[number] = 1;

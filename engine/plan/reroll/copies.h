@@ -1,4 +1,4 @@
-// Steps that copy: from one place of memory to another, or to what the function fills.
+// Copy steps: from one element of memory to another, or to an output.
 #pragma once
 
 #include "engine/plan/reroll/loop_program.h"
@@ -6,17 +6,17 @@
 
 namespace symreal::reroll {
 
-// What stands where afterwards, one by one: in memory, or of what the function fills.
+// Nodes to copy and their target elements: in memory, or in the outputs of the function.
 struct Copies {
   std::vector<NodeId> nodes;
   std::vector<std::uint32_t> places;
   bool are_results;
 };
 
-// As loops where both ends are a step apart.
+// Adds the copies; as loops where sources and targets advance by constant steps.
 void add_copies(Graph const &graph, Copies const &copies, Memory const &memory, std::vector<Step> &steps);
 
-// The last steps of a function. `done`: per result whether a step has stored it (direct_results.h).
+// Adds the last steps of a function. `done`: per result whether a step has stored it (direct_results.h).
 void add_result_copies(Graph const &graph, std::vector<NodeId> const &stored, std::vector<char> const &done,
                        Memory const &memory, std::vector<Step> &steps);
 

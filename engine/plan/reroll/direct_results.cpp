@@ -11,7 +11,7 @@ namespace {
 
 using Slots = std::set<std::uint32_t>;
 
-// Takes results out, one of each iteration, that stand a step apart. None: where there are none.
+// Removes one result per iteration, at an affine index of the iteration; nullopt if no such line exists.
 std::optional<Access> take_line(std::vector<Slots> &iterations) {
   auto const is_line = [&](Access const &access) {
     for (std::size_t k = 0; k < iterations.size(); ++k)
@@ -28,7 +28,7 @@ std::optional<Access> take_line(std::vector<Slots> &iterations) {
   return {};
 }
 
-// Likewise, where they stand as the indices of two loops say.
+// Likewise, at an affine index of a loop nest.
 std::optional<Access> take_nest(std::vector<Slots> &iterations, std::optional<Nest> const &rows) {
   Access access;
   for (Slots const &slots : iterations) {
@@ -53,7 +53,7 @@ DirectResults direct_results(Sequence const &sequence, std::vector<LoopBody> con
   DirectResults results{std::vector<std::vector<LoopResult>>(loops.size()), {}, std::vector<char>(stored.size(), 0)};
   for (Mirror const &mirror : mirrors)
     for_each_copy(mirror, [&](std::uint32_t to, std::uint32_t) { results.is_stored[to] = 1; });
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<Slots>> by_operation; // of a loop: per iteration
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<Slots>> by_operation; // per operation, iteration
   for (std::uint32_t slot = 0; slot < stored.size(); ++slot) {
     NodeId const node = stored[slot];
     if (results.is_stored[slot] || !sequence.is_computed(node) || sequence.position[node] < begin) continue;

@@ -1,8 +1,8 @@
-// Which results the steps of a function store themselves, as soon as they have them.
+// Direct results: those that a step stores as soon as it has computed them.
 //
-// All inputs are read before a result is stored, since the arrays may overlap, and all checks are made. So it is what
-// steps compute behind the last one that reads an input, of a function without guards. The rest waits in memory until
-// the end (copies.h).
+// Arrays may overlap, so all inputs must be read, and all guards checked, before a result is stored. Direct results are
+// therefore those of a function without guards that are computed behind the last read of an input. The others wait in
+// memory until the end (copies.h).
 #pragma once
 
 #include "engine/plan/reroll/loop_program.h"
@@ -10,7 +10,7 @@
 
 namespace symreal::reroll {
 
-// An operation of the body of a loop, of which every iteration computes a result.
+// An operation of a loop body that computes a result in every iteration.
 struct LoopResult {
   std::uint32_t position;
   Access access;
@@ -18,11 +18,11 @@ struct LoopResult {
 
 struct DirectResults {
   std::vector<std::vector<LoopResult>> of_loop;              // per loop
-  std::map<NodeId, std::vector<std::uint32_t>> of_operation; // of straight stretches: the results that it is
-  std::vector<char> is_stored;                               // per result: by one of these, or a mirror copies it
+  std::map<NodeId, std::vector<std::uint32_t>> of_operation; // of straight pieces: results per operation
+  std::vector<char> is_stored;                               // per result: by a step, or by a mirror
 };
 
-// `begin`: where in the sequence the steps begin that may store results. `mirrors`: what they copy is left to them.
+// `begin`: sequence position of the first step that may store results. `mirrors`: results that they copy are skipped.
 DirectResults direct_results(Sequence const &sequence, std::vector<LoopBody> const &loops,
                              std::vector<NodeId> const &stored, std::vector<Mirror> const &mirrors,
                              Memory const &memory, std::size_t begin);

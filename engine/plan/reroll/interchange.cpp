@@ -9,15 +9,13 @@ namespace symreal::reroll {
 
 namespace {
 
-constexpr std::uint32_t least_chains = 8; // in a stage that becomes a loop: a stage alone is seldom worth it, all are
-
-// Operations of the old sequence in a new order, with the loops among them.
+constexpr std::uint32_t least_chains = 8; // per stage: one stage is seldom worth a loop, all together are
 struct Order {
   std::vector<std::uint32_t> operations = {};
   std::vector<Repeat> stages = {};
 };
 
-// What lies between the beginnings of two chains is a stage. Adds all of them to an order.
+// Adds the stages of a group of chains to an order. A stage lies between the beginnings of two chains.
 class Stages {
 public:
   Stages(Sequence const &sequence, Chains const &chains, Order &order)
@@ -36,7 +34,7 @@ public:
     std::size_t const end = depths_.size() - 1;
     std::optional<Rows> const rows = in_rows ? find_rows(sequence_, chains_, depths_) : std::nullopt;
     if (!rows) return add_one_by_one(0, end);
-    // The longest first, so that chains that join stand behind the others.
+    // The longest chains go first, so that chains that join later come behind the others.
     if (chains_.length(0) < chains_.length(chains_.size() - 1)) std::ranges::reverse(chain_);
     add_one_by_one(0, rows->first);
     for (std::size_t const chain : chain_) add_to_row(chain, *rows);
@@ -73,7 +71,7 @@ private:
     finish();
   }
 
-  // The stages of a chain before its first row.
+  // Adds the stages of a chain before its first row.
   void add_to_row(std::size_t chain, Rows const &rows) {
     std::size_t first = 0, row = rows.first;
     while (!has(chain, first)) ++first;
@@ -96,7 +94,7 @@ private:
   Sequence const &sequence_;
   Chains const &chains_;
   Order &order_;
-  std::vector<std::uint32_t> depths_; // where stages begin, in operations before the ends of chains
+  std::vector<std::uint32_t> depths_; // begins of stages, in operations before the ends of chains
   std::vector<std::size_t> chain_;    // in order
 };
 
@@ -125,7 +123,7 @@ Sequence in_order(Sequence sequence, std::vector<std::uint32_t> const &order) {
   return sequence;
 }
 
-// Two groups of chains may each be moved, but not both.
+// Whether definitions precede uses: two groups of chains may each be movable, but not both.
 bool is_in_order(Sequence const &sequence) {
   for (std::uint32_t at = 0; at < sequence.size(); ++at)
     for (unsigned i = 0; i < sequence.operations[at].count; ++i) {

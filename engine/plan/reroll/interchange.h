@@ -1,13 +1,13 @@
-// Loop interchange: stage by stage in place of chain by chain.
+// Loop interchange: computes chains stage by stage instead of one after the other.
 //
-// The inner one of two nested loops often waits for itself from iteration to iteration, as when a force goes from link
-// to link to the base, and after it the next one. Recorded are chains of operations then, one for each iteration of the
-// outer loop, whose ends are alike: they compute the same with the same operands. They do not wait for each other. So
-// the last stage that all chains have is computed for all of them, side by side, and so is each stage before: what one
-// stage computes becomes a loop whose iterations compilers may carry out at the same time.
+// The inner loop of a nest is often a recurrence, as when a force is handed from link to link down to the base, and
+// then the next force. The recording then has one chain of operations per outer iteration; chains are independent, and
+// their ends are alike: the same operations on the same operands. So the last stage, which all chains have, is computed
+// for all chains side by side, and likewise each stage before it: a stage becomes a loop with independent iterations,
+// which compilers can vectorise.
 //
-// Stages that are alike, each or every second or third one, become rows: a row computes so many stages of all chains
-// that have them, and all rows are one loop in another.
+// Stages that repeat with a short period become rows: a row computes one period of stages for all chains that have
+// them, and all rows form one loop nest.
 #pragma once
 
 #include "engine/plan/reroll/repeats.h"
@@ -16,10 +16,10 @@ namespace symreal::reroll {
 
 struct Interchanged {
   Sequence sequence;
-  std::vector<Repeat> stages = {}; // that are worth a loop, in order, and rows
+  std::vector<Repeat> stages = {}; // worth a loop, in order, and rows
 };
 
-// Time is that of sorting the sequence. `in_rows`: whether stages may become rows.
+// Takes the time of sorting the sequence. `in_rows`: whether stages may become rows.
 Interchanged interchanged(Sequence sequence, bool in_rows);
 
 } // namespace symreal::reroll

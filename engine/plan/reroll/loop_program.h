@@ -1,4 +1,4 @@
-// A function as steps, each of which computes its body once or as often as a loop goes round: what an emitter prints.
+// Loop program: a function as steps, each a body that is computed once or in a loop; the input of the emitters.
 #pragma once
 
 #include "engine/graph/graph.h"
@@ -9,18 +9,17 @@
 
 namespace symreal::reroll {
 
-// Iterations of two loops, one in the other: in turn i of the outer one the inner one goes round inner + growth * i
-// times.
+// A loop nest: in turn i of the outer loop, the inner loop has inner + growth * i iterations.
 struct Nest {
   std::uint32_t turns, inner;
   std::int32_t growth;
   auto operator<=>(Nest const &) const = default;
 };
 
-// An element of an array for each iteration.
+// Element index of an array as a function of the iteration.
 struct Access {
   std::int64_t first = 0, step = 0;         // first + step * iteration
-  std::vector<std::uint32_t> elements = {}; // where no step fits: one per iteration
+  std::vector<std::uint32_t> elements = {}; // one per iteration if the index is not affine
 
   bool is_listed() const { return !elements.empty(); }
   std::size_t at(std::size_t iteration) const {
@@ -29,16 +28,16 @@ struct Access {
   }
 };
 
-// What an input of a body stands for.
+// Source of a body's input.
 struct Leaf {
   enum class Kind : std::uint8_t {
-    given, // an element of what the function is given: inputs, or in preprocess parameters
-    read,  // an element of what preprocess stored
-    sine,  // an element of the sines, or of the cosines, that the function begins with
+    given, // an element of the function's input: inputs, or in preprocess parameters
+    read,  // an element that preprocess stored
+    sine,  // an element of the sines or cosines at the start of the function
     cosine,
     memory,  // an element of the function's own array
-    values,  // values[iteration % size], or by turns of the outer of two loops: values[turn % size]
-    carried, // in the first iteration that element of memory, then the value `next`, maybe a leaf, of the one before
+    values,  // values[iteration % size]; if by_turn, values[turn % size] of the outer loop
+    carried, // loop-carried: first that element of memory, then the previous iteration's value of `next`
   } kind;
   Access access = {};
   std::vector<double> values = {};
@@ -46,7 +45,7 @@ struct Leaf {
   NodeId next = no_node;
 };
 
-// Behind each iteration, in this order: an element of memory, or of what the function fills.
+// A store at the end of each iteration, in order: to an element of memory, or of an output.
 struct Store {
   NodeId value;
   bool is_result = false;
@@ -54,29 +53,29 @@ struct Store {
 };
 
 struct Step {
-  Graph body; // its input k is leaf k; its results are what is stored and carried
+  Graph body; // input k is leaf k; results are the stored and the carried values
   std::uint32_t count = 1;
   std::vector<Leaf> leaves = {};
   std::vector<Store> stores = {};
-  std::optional<Nest> nest = {}; // whose iterations these are, where that is known before
+  std::optional<Nest> nest = {}; // loop nest of the iterations, if known beforehand
 };
 
-// When all steps are done: a symmetric matrix among what the function fills, row by row. What stands below its diagonal
-// is copied from above, or the other way round.
+// A symmetric matrix among the outputs, stored by rows. After all steps, the half below its diagonal is copied from the
+// half above, or the other way round.
 struct Mirror {
   std::uint32_t first, rows;
   bool from_above;
 };
 
-// Whether it is of an array that the caller passes: results may overlap with it.
+// Whether the leaf reads an array that the caller passes, which outputs may overlap.
 inline bool is_argument(Leaf::Kind kind) { return kind == Leaf::Kind::given || kind == Leaf::Kind::read; }
 inline bool reads_arguments(Step const &step) { return std::ranges::any_of(step.leaves, is_argument, &Leaf::kind); }
 
 struct LoopFunction {
   std::vector<Step> steps;
   std::vector<Mirror> mirrors = {};
-  std::size_t memory = 0;                 // elements of the function's own array
-  std::vector<std::uint32_t> checks = {}; // per guard: the element of memory that must not be 0
+  std::size_t memory = 0;                 // size of the function's own array
+  std::vector<std::uint32_t> checks = {}; // per guard: the element of memory that must be nonzero
   std::size_t operations = 0, in_loops = 0, loops = 0;
 };
 

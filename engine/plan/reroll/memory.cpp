@@ -35,7 +35,7 @@ void Memory::need(NodeId node, std::uint32_t step) {
     return;
   }
   std::uint32_t const at = sequence_.position[node];
-  // What no operation computes stands there for the results, and the step before their copies stores it.
+  // A node without an operation is in memory for the result copies; the step before them stores it.
   std::uint32_t const written = at == no_position ? step - 1 : step_of_[at];
   singles_.try_emplace(node, Place{{written, step}}).first->second.life.reach(step);
 }
@@ -60,7 +60,7 @@ void Memory::need_in_chain(std::uint32_t loop, std::uint32_t position) {
 
 void Memory::need(Cell const &cell, std::uint32_t step) { field(cell.loop, cell.position, step).of_last = false; }
 
-// Which is needed by this step.
+// Field of an operation, with its live range extended to `step`.
 Memory::Place &Memory::field(std::uint32_t loop, std::uint32_t position, std::uint32_t step) {
   Place &place = regions_[loop].fields.try_emplace(position, Place{{step_of_loop(loop), step}}).first->second;
   place.life.reach(step);
@@ -79,7 +79,7 @@ std::vector<std::uint32_t> Memory::stored_positions(std::uint32_t loop) const {
 }
 
 bool Memory::may_hold_copy(Cell const &cell, NodeId node) const {
-  // Records that nobody needs otherwise are worth it at the ends alone.
+  // Extra records are worth their memory near the ends of the loop only.
   std::int64_t const count = loops_[cell.loop].repeat.count;
   if (is_real(cell) || cell.iteration < -count || cell.iteration >= 2 * count) return false;
   if (loops_[cell.loop].repeat.rows && cell.iteration < 0) return false;
@@ -100,7 +100,7 @@ bool Memory::hold_copy(Cell const &cell, NodeId node, std::uint32_t step) {
 
 void Memory::lay_out(std::vector<char> const &spread) {
   std::vector<Block> blocks;
-  std::vector<std::pair<Place *, std::size_t>> elements; // each in its block
+  std::vector<std::pair<Place *, std::size_t>> elements; // each with its block
   for (auto &[node, place] : singles_) {
     elements.emplace_back(&place, 0);
     blocks.push_back({1, place.life});
@@ -110,13 +110,13 @@ void Memory::lay_out(std::vector<char> const &spread) {
   for (std::uint32_t loop = 0; loop < regions_.size(); ++loop) {
     Region &region = regions_[loop];
     bool const is_spread = spread[loop] || loops_[loop].repeat.rows;
-    // Compilers carry out iterations at the same time only if each stores to a place of its own.
+    // Compilers vectorise only if each iteration stores to an element of its own.
     for (auto &[position, place] : region.fields) place.of_last = place.of_last && !is_spread;
     auto const fields = static_cast<std::size_t>(
         std::ranges::count_if(region.fields, [](auto const &entry) { return !entry.second.of_last; }));
     auto const records = static_cast<std::size_t>(region.last - region.first + 1);
     region.stride = is_spread ? 1 : static_cast<std::int64_t>(fields);
-    std::size_t field = 0, shared = 0; // of the block of records that are not spread
+    std::size_t field = 0, shared = 0; // in the block of records that are not spread
     for (auto &[position, place] : region.fields) {
       if (is_spread || place.of_last) {
         blocks.push_back({place.of_last ? 1 : records, place.life});
@@ -172,7 +172,7 @@ std::uint32_t Memory::element(Cell const &cell) const {
   return static_cast<std::uint32_t>(place.element + record * region.stride);
 }
 
-// Chains that the last row has not yet follow on its last one.
+// Record of a cell; chains that have not joined by the last row follow on that row.
 std::int64_t Memory::record(Cell const &cell) const {
   Repeat const &repeat = loops_[cell.loop].repeat;
   if (!repeat.rows) return cell.iteration;

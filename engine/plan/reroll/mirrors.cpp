@@ -23,7 +23,7 @@ public:
     return true;
   }
 
-  // Whether more neighbours in rows than in columns above the diagonal come from one iteration of a loop and the next.
+  // Whether consecutive iterations of loops compute more row neighbours than column neighbours above the diagonal.
   bool is_by_rows(Memory const &memory) const {
     std::int64_t surplus = 0;
     for (std::uint32_t row = 0; row < rows_; ++row)
@@ -47,7 +47,7 @@ private:
   std::uint32_t first_, rows_;
 };
 
-// Of the square matrices that the object is, or that its numbers, if they stand in one row, may be; 0: they are none.
+// Dimension of the square matrices in the object, or of the one that a flat array of its size forms; 0 if not square.
 std::uint32_t rows_of(Object const &object) {
   std::vector<std::size_t> const &extents = object.extents;
   if (extents.empty() || !object.members.empty()) return 0;

@@ -1,7 +1,7 @@
-// Symmetric matrices among the results: one half is computed, the other copied from it when all else is done.
+// Symmetric matrices among the results: one half is computed, the other copied from it at the end.
 //
-// Of the elements of a half that a loop computes, only the rows, or only the columns, stand beside each other. Stores
-// to the other half go to another cache line each; so it is copied in blocks.
+// A loop over a half stores contiguously by rows or by columns, not both, so stores to the other half would each touch
+// another cache line. The other half is therefore copied in blocks.
 #pragma once
 
 #include "engine/plan/reroll/loop_program.h"
@@ -9,11 +9,11 @@
 
 namespace symreal::reroll {
 
-// `objects`: what the results `stored` are elements of.
+// `objects`: objects whose elements the results `stored` are.
 std::vector<Mirror> mirrors(std::vector<Object> const &objects, std::vector<NodeId> const &stored,
                             Memory const &memory);
 
-// Calls visit(to, from) for each result that is copied and the one that it is copied from.
+// Calls visit(to, from) for each copied result and its source.
 template <class Visit> void for_each_copy(Mirror const &mirror, Visit const &visit) {
   for (std::uint32_t row = 0; row < mirror.rows; ++row)
     for (std::uint32_t column = 0; column < row; ++column) {

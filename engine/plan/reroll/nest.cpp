@@ -35,7 +35,7 @@ Access in_turns(Access const &of_turns, Nest const &nest) {
 
 namespace {
 
-// The nest that begins so and has so many iterations.
+// Nest with this first inner count and growth and exactly `count` iterations; nullopt if it does not fit.
 std::optional<Nest> with_turns(std::uint32_t inner, std::int32_t growth, std::uint32_t count) {
   Nest nest{1, inner, growth};
   while (begin_of(nest, nest.turns) < count && length_of(nest, nest.turns) > 0) ++nest.turns;
@@ -43,7 +43,7 @@ std::optional<Nest> with_turns(std::uint32_t inner, std::int32_t growth, std::ui
   return nest;
 }
 
-// How many elements from `begin` on are a step apart.
+// Length of the run of elements from `begin` on that advance by a constant step.
 std::uint32_t run_from(std::size_t begin, std::vector<std::uint32_t> const &elements) {
   std::size_t end = std::min(begin + 2, elements.size());
   auto const step = [&](std::size_t k) {
@@ -58,7 +58,7 @@ std::uint32_t run_from(std::size_t begin, std::vector<std::uint32_t> const &elem
 std::optional<NestedAccess> nested(Access const &access, Nest const &nest) {
   auto const at = [&](std::int64_t k) { return static_cast<std::int64_t>(access.at(static_cast<std::size_t>(k))); };
   std::int64_t const second = begin_of(nest, 1);
-  std::int64_t const long_turn = nest.inner > 1 ? 0 : second; // in which the inner loop goes round twice or more
+  std::int64_t const long_turn = nest.inner > 1 ? 0 : second; // a turn with at least two inner iterations
   NestedAccess const result{at(0), at(second) - at(0), at(long_turn + 1) - at(long_turn)};
   for (std::int64_t turn = 0; turn < nest.turns; ++turn)
     for (std::int64_t k = 0; k < length_of(nest, turn); ++k)

@@ -1,7 +1,7 @@
-// Iterations that are those of two loops, one in the other: as in the product of two matrices, or over the half of one.
+// Loop nests: iterations as those of two nested loops, as in a matrix product or over a triangle.
 //
-// A step counts its iterations through. Where an index neither grows nor falls with that count, it often does so with
-// the turns of two loops; then no table is needed, and what stays the same in the inner loop is read before it.
+// A step numbers its iterations consecutively. An index that is not affine in that number is often affine in the
+// indices of two nested loops; then it needs no table, and values invariant in the inner loop are read before it.
 #pragma once
 
 #include "engine/plan/reroll/loop_program.h"
@@ -11,17 +11,17 @@
 
 namespace symreal::reroll {
 
-// How many iterations lie before a turn of the outer loop, and in it; of `turns`, how many there are.
+// Number of iterations before a turn of the outer loop, and in it.
 std::int64_t begin_of(Nest const &nest, std::int64_t turn);
 std::int64_t length_of(Nest const &nest, std::int64_t turn);
 
-// The turns of the two loops that an iteration belongs to.
+// Outer and inner index of an iteration.
 struct Turn {
   std::uint32_t outer, inner;
 };
 Turn turn_of(Nest const &nest, std::uint32_t iteration);
 
-// Of a value for each iteration one for each turn of the outer loop, if the inner one does not change it.
+// One value per turn of the outer loop; nullopt if a value varies in the inner loop.
 template <typename Value, typename Same = std::equal_to<>>
 std::optional<std::vector<Value>> by_turns(std::vector<Value> const &values, Nest const &nest, Same same = {}) {
   std::vector<Value> result;
@@ -33,23 +33,23 @@ std::optional<std::vector<Value>> by_turns(std::vector<Value> const &values, Nes
   return result;
 }
 
-// Of a leaf that stands for values, that of an iteration. `nest`: that of its step.
+// Value of a leaf of kind `values` in an iteration. `nest`: that of its step.
 double value_at(Leaf const &leaf, std::uint32_t iteration, std::optional<Nest> const &nest);
 
-// Of an element for each turn of the outer loop, the access for each iteration.
+// Access per iteration, from an access per turn of the outer loop.
 Access in_turns(Access const &of_turns, Nest const &nest);
 
-// first + outer * i + inner * j in turn i of the outer loop and turn j of the inner one.
+// Affine index: first + outer * i + inner * j in turn i of the outer loop and turn j of the inner one.
 struct NestedAccess {
   std::int64_t first, outer, inner;
 };
 
-// None where the elements do not fit.
+// Affine index of the access; nullopt if its elements need an index table.
 std::optional<NestedAccess> nested(Access const &access, Nest const &nest);
 
-// The nest that fits most of those accesses that are listed. None where it fits none of them.
+// Loop nest in which most of the listed accesses are affine; nullopt if none of them is.
 std::optional<Nest> nest_of(std::uint32_t count, std::vector<Access const *> const &accesses);
-// The one that is known before, or likewise.
+// Loop nest of the step; if it is not known beforehand, the one that fits its accesses.
 std::optional<Nest> nest_of(Step const &step);
 
 } // namespace symreal::reroll

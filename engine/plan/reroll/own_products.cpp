@@ -7,10 +7,10 @@ namespace symreal::reroll {
 
 namespace {
 
-constexpr std::uint32_t least_family = 24; // products of one variable with constants, and copies of some
-constexpr std::uint32_t near = 16;         // operations of one window
+constexpr std::uint32_t least_family = 24; // products of one variable with constants, including duplicates
+constexpr std::uint32_t near = 16;         // window size in operations
 
-// The variable that an operation multiplies by a constant.
+// Variable that an operation multiplies by a constant; no_node if it is another operation.
 NodeId multiplied(Sequence const &sequence, Operation const &operation) {
   if (operation.op != Op::mul) return no_node;
   NodeId const a = operation.operands[0].node, b = operation.operands[1].node;
@@ -19,7 +19,7 @@ NodeId multiplied(Sequence const &sequence, Operation const &operation) {
   return a_is_constant == b_is_constant ? no_node : a_is_constant ? b : a;
 }
 
-// Per node: is it one of many products of one variable?
+// Per node: whether it is one of many products of one variable.
 std::vector<char> families(Sequence const &sequence) {
   std::vector<std::uint32_t> members(sequence.graph->nodes.size(), 0);
   std::vector<char> is_member(sequence.graph->nodes.size(), 0);
@@ -42,7 +42,7 @@ public:
   }
 
   bool copies_enough() {
-    std::vector<std::uint32_t> place(next_, no_position); // of the latest copy
+    std::vector<std::uint32_t> place(next_, no_position); // per node, position of its latest duplicate
     for (Operation operation : sequence_.operations) {
       for (unsigned i = 0; i < operation.count; ++i) {
         NodeId &node = operation.operands[i].node;
@@ -87,7 +87,7 @@ public:
 private:
   Sequence const &sequence_;
   std::vector<char> const is_member_;
-  NodeId next_; // of a copy
+  NodeId next_; // id of the next duplicate
   std::vector<NodeId> latest_, copied_ = {};
   std::vector<Operation> operations_;
 };

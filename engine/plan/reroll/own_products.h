@@ -1,7 +1,7 @@
-// Products that several windows read, computed in each of them.
+// Duplication of products that several windows share.
 //
-// Each term of a series multiplies the same variable by a constant. Where two terms have the same constant, only the
-// first computes the product, and then neither is like the terms around it. Computed again, all terms are alike.
+// Each term of a series multiplies the same variable by a constant. If two terms have the same constant, only the first
+// computes the product, and neither resembles the terms around it. With the product computed in both, all terms match.
 #pragma once
 
 #include "engine/plan/reroll/sequence.h"
@@ -12,11 +12,11 @@
 namespace symreal::reroll {
 
 struct OwnProducts {
-  std::unique_ptr<Graph> graph; // with further nodes at its end, which operations before them may read
-  Sequence sequence;            // of this graph
+  std::unique_ptr<Graph> graph; // has extra nodes at its end, which earlier operations may read
+  Sequence sequence;            // of `graph`
 };
 
-// None: there are too few to matter.
+// Sequence with the duplicated products; nullopt if there are too few of them.
 std::optional<OwnProducts> with_own_products(Sequence const &sequence);
 
 } // namespace symreal::reroll

@@ -7,7 +7,7 @@ namespace symreal::reroll {
 
 namespace {
 
-constexpr std::uint32_t most_operations = 1000; // of a straight piece: compilers take long over one huge function
+constexpr std::uint32_t most_operations = 1000; // of a straight piece: compilation time is superlinear in function size
 
 } // namespace
 

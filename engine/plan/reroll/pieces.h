@@ -1,4 +1,4 @@
-// The operations of a function as loops and the straight stretches between them.
+// Pieces of a function: its loops, and the straight-line code between them.
 #pragma once
 
 #include "engine/plan/reroll/memory.h"
@@ -8,22 +8,22 @@
 
 namespace symreal::reroll {
 
-// A loop, or a straight stretch.
+// A loop, or a piece of straight-line code.
 struct Piece {
   std::uint32_t begin, end;
   std::uint32_t loop = no_position;
-  std::vector<std::pair<Cell, NodeId>> copies = {}; // that later loops read
-  std::vector<NodeId> kept = {};                    // what no operation computes and is read from memory
+  std::vector<std::pair<Cell, NodeId>> copies = {}; // read by later loops
+  std::vector<NodeId> kept = {};                    // nodes without an operation that are read from memory
 
   bool computes(Sequence const &sequence, NodeId node) const {
     return sequence.position[node] != no_position && sequence.position[node] >= begin && sequence.position[node] < end;
   }
 };
 
-// One straight piece or more before each loop, and at the end.
+// Pieces in order, with at least one straight piece before each loop and at the end.
 std::vector<Piece> pieces(Sequence const &sequence, std::vector<LoopBody> const &loops);
 
-// Whether it reads what results may overlap with. `roles`: per loop and column.
+// Whether the piece reads arrays that results may overlap. `roles`: per loop and column.
 bool reads_arguments(Piece const &piece, Sequence const &sequence, std::vector<std::vector<Role>> const &roles);
 
 } // namespace symreal::reroll

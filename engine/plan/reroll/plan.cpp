@@ -84,7 +84,7 @@ private:
       }
   }
 
-  // Whether all operands of the loop have one.
+  // Chooses a role for each operand of the loop; false if an operand has no role.
   bool choose_roles(std::uint32_t number) {
     std::uint32_t const loop = pieces_[number].loop;
     Piece &before = pieces_[number - 1];
@@ -105,7 +105,7 @@ private:
     return true;
   }
 
-  // What stands at the places of chains when their rows begin.
+  // Stores the initial values of chains before their rows.
   void enter_chains(std::uint32_t loop, std::vector<Step> &steps) const {
     Copies copies{{}, {}, false};
     for (auto const &[position, nodes] : entries_[loop])
@@ -116,7 +116,7 @@ private:
     add_copies(*sequence_.graph, copies, memory_, steps);
   }
 
-  // Per loop whether its iterations do not wait for each other.
+  // Per loop whether its iterations are independent.
   std::vector<char> independent_loops() const {
     std::vector<char> result;
     for (std::uint32_t loop = 0; loop < loops_.size(); ++loop) {
@@ -132,7 +132,7 @@ private:
     return result;
   }
 
-  // What stands in no memory, for the copies of results and the checks.
+  // Keeps inputs among the results and guards in memory, for the result copies and the checks.
   void need_inputs_among_results() {
     std::set<NodeId> kept;
     for (auto const *roots : {&stored_, &checked_})
@@ -143,7 +143,7 @@ private:
       }
   }
 
-  // The first operation of what may: behind it no input is read, and nothing is checked.
+  // First operation that may store results: behind the last read of an input, in a function without guards.
   std::size_t first_to_store_results() const {
     if (!checked_.empty()) return sequence_.size();
     std::size_t piece = pieces_.size();
@@ -152,7 +152,7 @@ private:
   }
 
   void need_roots() {
-    auto const copied = static_cast<std::uint32_t>(pieces_.size()); // by the steps behind them all
+    auto const copied = static_cast<std::uint32_t>(pieces_.size()); // by the steps behind all pieces
     for (std::size_t k = 0; k < stored_.size(); ++k)
       if (!direct_.is_stored[k] && sequence_.source(stored_[k]) != Source::constant)
         memory_.need_kept(stored_[k], copied);

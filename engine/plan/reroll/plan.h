@@ -1,4 +1,4 @@
-// From repeats to steps.
+// Planning of loops: turns repeats into steps.
 #pragma once
 
 #include "engine/plan/reroll/loop_program.h"
@@ -6,8 +6,8 @@
 
 namespace symreal::reroll {
 
-// `stored`: what the function fills, element by element, which are those of `objects`, if they have names. `checked`:
-// what must not be 0 for that. None where rows of chains (interchange.h) hand on something else than they may.
+// `stored`: values of the outputs, element by element, in the order of `objects` if that is given. `checked`: guards,
+// which must be nonzero. Returns nullopt if rows of chains (interchange.h) hand on values in an unsupported way.
 std::optional<LoopFunction> plan(Sequence sequence, std::vector<Repeat> const &repeats,
                                  std::vector<NodeId> const &stored, std::vector<NodeId> const &checked,
                                  std::vector<Object> const &objects = {});

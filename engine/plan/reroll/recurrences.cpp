@@ -11,8 +11,8 @@ namespace {
 
 using Places = std::vector<std::uint32_t>; // of leaves
 
-// A processor begins so many operations until it has the result of one: usual ones have a sum or product after four
-// cycles, and begin two in each.
+// Operations that a processor issues within the latency of one: commonly four cycles for a sum or product, with two
+// issued per cycle.
 constexpr double begun_meanwhile = 8;
 
 std::vector<char> depend_on(Step const &step, Places const &leaves) {
@@ -27,7 +27,7 @@ std::vector<char> depend_on(Step const &step, Places const &leaves) {
   return depends;
 }
 
-// What lies between the leaves of one recurrence and their next values.
+// Paths from the leaves of one recurrence to their next values.
 class Paths {
 public:
   Paths(Step const &step, Places const &leaves) : step_(step), leaves_(leaves) {
@@ -42,9 +42,9 @@ public:
     }
   }
 
-  // The least time from one iteration to the next.
+  // The least time from one iteration to the next, by bisection.
   double period() const {
-    double low = 0, high = longest_path(0); // where nothing had been there before
+    double low = 0, high = longest_path(0); // as if all carried values were ready at time 0
     while (high - low > 0.1) (longest_path((low + high) / 2) <= (low + high) / 2 ? high : low) = (low + high) / 2;
     return high;
   }
@@ -63,14 +63,14 @@ public:
   }
 
 private:
-  // Times from the begin of an iteration on.
+  // Ready times, counted from the start of an iteration.
   Balance balance(double period) const {
     return Balance(usual_costs(), [this, period](Node const &node) {
       if (!is_within(node)) return -std::numeric_limits<double>::infinity();
       return -period * static_cast<double>(handed_on(node.slot()));
     });
   }
-  // How many iterations have handed on what the leaf is: what never changes, any number of them.
+  // Number of iterations that a leaf's value is carried over; the number of leaves for a value that never changes.
   std::size_t handed_on(std::uint32_t leaf) const {
     for (std::size_t iterations = 0; iterations < leaves_.size(); ++iterations) {
       Node const &next = step_.body.nodes[step_.leaves[leaf].next];
@@ -83,7 +83,7 @@ private:
     return node.op == Op::input && std::ranges::find(leaves_, node.slot()) != leaves_.end();
   }
 
-  // From what an iteration takes over to what it hands on.
+  // Latency from the carried-in values to the carried-out ones.
   double longest_path(double period) const {
     Balance times = balance(period);
     double longest = 0;
@@ -104,7 +104,7 @@ std::vector<Recurrence> recurrences(Step const &step) {
   for (std::uint32_t k = 0; k < step.leaves.size(); ++k)
     if (step.leaves[k].kind == Leaf::Kind::carried) carried.push_back(k);
   std::size_t const count = carried.size();
-  std::vector<std::vector<char>> reaches; // within an iteration, then within any number of them
+  std::vector<std::vector<char>> reaches; // within an iteration, then over any number of them
   for (std::uint32_t const from : carried) {
     std::vector<char> const depends = depend_on(step, {from});
     reaches.emplace_back();

@@ -8,7 +8,7 @@
 
 namespace symreal::reroll {
 
-// A product of products of many iterations depends on all of them: that many signs are seldom worth their time.
+// Work limits: a product chained over many iterations depends on a sign of each, which is seldom worth the time.
 static constexpr std::size_t most_free = 8, most_relations = 1024;
 
 RelativeSigns::RelativeSigns(std::size_t count)
@@ -28,7 +28,7 @@ std::pair<std::uint32_t, bool> RelativeSigns::root(std::uint32_t value, std::siz
 
 RelativeSigns::Sign RelativeSigns::of(std::initializer_list<std::uint32_t> factors) {
   Sign sign;
-  using Pending = std::pair<std::uint32_t, std::uint32_t>; // what a root follows from, and the root
+  using Pending = std::pair<std::uint32_t, std::uint32_t>; // relation that determines a root, and the root
   std::priority_queue<Pending, std::vector<Pending>, std::greater<>> pending;
   auto const add = [&](std::uint32_t factor) {
     auto const [value, negated] = root(factor);
@@ -60,8 +60,8 @@ bool RelativeSigns::is_short(std::uint32_t relation) const {
          std::ranges::none_of(sign.free, [&](std::uint32_t value) { return depends_for_good(value); });
 }
 
-// Says what it depends on by what is free for good, or as long as relations may be undone. First those that it depends
-// on, which are later ones; not by recursion, since a chain may be long.
+// Substitutes permanently dependent values by free ones. The relations that it depends on, which are later ones, are
+// shortened first; iterative, since chains may be long.
 void RelativeSigns::shorten(std::uint32_t relation) {
   std::vector<std::uint32_t> pending = {relation};
   while (!pending.empty()) {
@@ -100,7 +100,7 @@ void RelativeSigns::shorten_by_short_ones(Sign &sign) const {
     else
       once.push_back(value);
   if (result.is_too_far || once.size() > most_free) {
-    sign.is_too_far = true; // and says what it said
+    sign.is_too_far = true; // the sign keeps its old form
     return;
   }
   result.free = std::move(once);
@@ -145,7 +145,7 @@ std::vector<char> RelativeSigns::negatives() const {
     auto const [from, negated] = root(value);
     return (negative[from] != 0) != negated;
   };
-  for (std::size_t k = related_.size(); k-- > 0;) { // what they depend on was related later
+  for (std::size_t k = related_.size(); k-- > 0;) { // dependencies are on later relations
     if (parent_[related_[k]] != related_[k]) continue;
     bool negated = depends_[k].negated;
     for (std::uint32_t const other : depends_[k].free) negated = negated != of_value(other);

@@ -23,7 +23,7 @@ bool operands_match(Sequence const &sequence, std::uint32_t at, NodeId a, NodeId
 // The first operand of a lookup is the number of its table.
 bool names_table(Op op) { return op == Op::lookup || op == Op::lookup2; }
 
-// What a window of the sequence looks like, from operation to operation.
+// Hash of an operation by its kind and the relative positions of its operands, equal in all copies of a window.
 std::uint64_t token(Sequence const &sequence, std::uint32_t at) {
   constexpr std::uint32_t far = 16;
   Operation const &operation = sequence.operations[at];
@@ -40,12 +40,12 @@ std::uint64_t token(Sequence const &sequence, std::uint32_t at) {
   return hash;
 }
 
-// How often the same short window comes again at which distance: what a period may be.
+// Candidates for periods: the most frequent distances at which short windows recur.
 std::vector<std::uint32_t> likely_periods(Sequence const &sequence) {
   constexpr std::size_t window = 12, most_periods = 48, most_returns = 4;
   std::vector<std::uint64_t> tokens(sequence.size());
   for (std::uint32_t at = 0; at < sequence.size(); ++at) tokens[at] = token(sequence, at);
-  std::unordered_map<std::uint64_t, std::array<std::uint32_t, most_returns>> seen; // where, the newest first
+  std::unordered_map<std::uint64_t, std::array<std::uint32_t, most_returns>> seen; // positions, the newest first
   std::unordered_map<std::uint32_t, std::size_t> votes;
   std::vector<std::uint64_t> const hashes = window_hashes(tokens, window);
   for (std::uint32_t at = 0; at < hashes.size(); ++at) {
@@ -72,7 +72,7 @@ struct Stretch {
 
   std::uint32_t size() const { return end - begin; }
   Repeat repeat() const { return {begin, period, size() / period}; }
-  // The longest first, then the shortest period, then the first.
+  // Priority: longer stretches first, then shorter periods, then earlier begins.
   bool operator<(Stretch const &other) const {
     if (size() != other.size()) return size() < other.size();
     return period != other.period ? period > other.period : begin > other.begin;
@@ -120,7 +120,7 @@ std::vector<Repeat> find_repeats(Sequence const &sequence, std::vector<Repeat> c
   while (!stretches.empty()) {
     Stretch stretch = stretches.top();
     stretches.pop();
-    // What overlaps with a better one keeps its longer side.
+    // An overlapped stretch keeps the parts outside the better one.
     auto const over = chosen.upper_bound(stretch.begin);
     if (over != chosen.end() && over->second.begin < stretch.end) {
       Stretch const before{stretch.begin, std::max(over->second.begin, stretch.begin), stretch.period};

@@ -17,7 +17,7 @@ namespace symreal {
 
 namespace {
 
-// What loops do not hold yet.
+// Reason why the graph cannot have loops; empty if it can.
 std::string obstacle(Graph const &graph) {
   std::vector<char> const live = live_nodes(graph);
   for (std::size_t id = 0; id < graph.nodes.size(); ++id) {
@@ -28,7 +28,7 @@ std::string obstacle(Graph const &graph) {
   return {};
 }
 
-// Whether rows of chains need no table with an entry for each of their iterations.
+// Whether rows of chains need no index table with an entry per iteration.
 bool is_short(reroll::Step const &step) {
   using reroll::Access, reroll::Leaf, reroll::Store;
   auto const fits = [&](Access const &access) { return !access.is_listed() || nested(access, *step.nest); };
@@ -39,26 +39,26 @@ bool is_short(reroll::Step const &step) {
          (std::ranges::all_of(step.leaves, is_short_leaf) && std::ranges::all_of(step.stores, fits, &Store::access));
 }
 
-// Whether it is a loop as it was found.
+// Whether the stage is still a whole loop.
 bool is_whole(reroll::Repeat const &stage, std::vector<reroll::Repeat> const &loops) {
   return std::ranges::any_of(loops, [&](reroll::Repeat const &loop) {
     return loop.begin == stage.begin && loop.period == stage.period && loop.count == stage.count;
   });
 }
 
-// What a function stores, what its guards check, and how it computes.
+// Outputs and guards of a function, and its floating-point mode.
 struct Wanted {
   std::vector<NodeId> const &stored, &checked;
   std::vector<Object> const &objects;
   FloatingPoint mode;
 };
 
-// `original`: a sequence that computes the same, for the proof; null: this one.
+// `original`: an equivalent sequence to prove the loops against; null for this one.
 std::optional<reroll::LoopFunction> loops_of(std::function<reroll::Sequence()> const &make_sequence,
                                              reroll::Sequence const *original, Wanted const &wanted) {
   using namespace reroll;
-  // Rows of chains may turn out not to fit: where something else needs what they overwrite, or signs differ from chain
-  // to chain. Then each stage becomes a loop.
+  // Rows of chains may prove unusable: if another step needs a value that they overwrite, or signs differ from chain to
+  // chain. Then each stage becomes a loop.
   for (bool const in_rows : {true, false}) {
     auto [all, stages] = interchanged(make_sequence(), in_rows);
     std::vector<Repeat> repeats = find_repeats(all, stages);
@@ -79,7 +79,7 @@ std::optional<reroll::LoopFunction> loops_of(std::function<reroll::Sequence()> c
   internal_check(false);
 }
 
-// How many operations its text has.
+// Operation count of the generated code.
 std::size_t text_of(reroll::LoopFunction const &function) {
   std::size_t size = 0;
   for (reroll::Step const &step : function.steps) {
@@ -99,7 +99,7 @@ std::optional<reroll::LoopFunction> loops_of(Schedule const &plan, bool in_compu
   if (!own) return loops;
   Sequence const original = make();
   std::optional<LoopFunction> other = loops_of([&] { return own->sequence; }, &original, wanted);
-  // More operations are executed, so the text must become much shorter.
+  // Duplicated products execute more operations, so the code must become much shorter.
   bool const is_better = other && text_of(*other) * 4 < (loops ? text_of(*loops) : original.size()) * 3;
   return is_better ? std::move(other) : std::move(loops);
 }

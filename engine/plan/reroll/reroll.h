@@ -1,8 +1,8 @@
-// --reroll: operations that repeat as loops.
+// --reroll: turns repeated operations back into loops.
 //
-// A recorded program is one long sequence of operations. Where the source had a loop, windows of it are alike but for
-// their inputs, constants and what they take from other windows. One window becomes the body of a loop; what differs
-// becomes an index that grows, a table, or a variable that is carried on. docs/reference/reroll.md says more.
+// A recorded program is one long sequence of operations. A loop of the source appears in it as windows that differ only
+// in inputs, constants, and values from other windows. One window becomes the body of a loop; the differences become an
+// affine index, a table, or a loop-carried variable. Details: docs/reference/reroll.md.
 #pragma once
 
 #include "engine/ops/floating_point.h"
@@ -14,25 +14,25 @@
 
 namespace symreal {
 
-// The functions that have loops.
+// Loop programs of the functions; nullopt for a function without loops.
 struct Rerolled {
   std::optional<reroll::LoopFunction> preprocess, compute, computed_angles = {};
-  std::string why_not = {}; // where none has
+  std::string why_not = {}; // the reason, if no function has loops
 
   bool has_loops() const { return preprocess || compute || computed_angles; }
 };
 
-// What is found is proved (check.h) whenever this runs. In modes other than strict, signs are chosen so that
-// few iterations multiply by them (signs.h).
+// Rerolls all functions and proves the result (check.h). In modes other than strict, signs are chosen so that few
+// iterations multiply by them (signs.h).
 Rerolled rerolled(Schedule const &plan, FloatingPoint mode);
 
-// With passes over what the loops and the stretches between them compute (bodies.h).
+// Applies passes to the bodies of loops and straight pieces (bodies.h).
 Rerolled improved(Rerolled loops, Angles const &angles, reroll::Improve const &improve);
 
-// What function compute does in its loops and between them, and before them for sines and cosines. It has loops.
+// Operations that compute executes in total, including the loops for sines and cosines. Requires loops.
 OperationCounts executed_operations(Schedule const &plan, Rerolled const &loops);
 
-// How much of the operations the loops hold, in words.
+// Description of the share of operations that the loops cover.
 std::string describe(Rerolled const &loops);
 
 } // namespace symreal

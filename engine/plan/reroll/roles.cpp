@@ -60,8 +60,7 @@ private:
     return {cell_.loop, cell_.position, cell_.iteration + step_ * static_cast<std::int64_t>(k)};
   }
 
-  // Two neighbours in the middle say on which line of cells the operands stand; those that are not there must have
-  // room at its ends.
+  // Two neighbours in the middle determine the line of cells; operands off the line must fit as copies at its ends.
   bool find_line() {
     std::size_t const middle = nodes_.size() / 2;
     std::optional<Cell> const a = memory_.cell(nodes_[middle]), b = memory_.cell(nodes_[middle - 1]);
@@ -78,7 +77,7 @@ private:
     return step_ != 0;
   }
 
-  // The value of a few iterations before, but for the first ones.
+  // Whether the operand is the value of a few iterations before, except in the first iterations.
   bool is_carried() const {
     constexpr std::size_t most_iterations = 4; // each takes a variable
     bool const is_before = cell_.loop == loop_ && step_ == 1 && cell_.iteration < 0;

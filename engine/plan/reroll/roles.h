@@ -1,4 +1,4 @@
-// How the body of a loop finds the operands of a column.
+// Roles: how the body of a loop accesses the operands of a column.
 #pragma once
 
 #include "engine/plan/reroll/loop_program.h"
@@ -10,35 +10,35 @@ namespace symreal::reroll {
 
 struct Role {
   Leaf::Kind kind = Leaf::Kind::values;
-  std::optional<double> constant = {}; // of values that are all the same
-  std::vector<double> values = {};     // otherwise their period
-  bool by_turn = false;                // one value, or element, for each turn of the outer of two loops
-  Access access = {};                  // in what the function is given or reads
-  // In memory: cells a step of iterations apart, or one node, or a list.
+  std::optional<double> constant = {}; // of values that are all equal
+  std::vector<double> values = {};     // one period of them, if they differ
+  bool by_turn = false;                // one value, or element, per turn of the outer loop
+  Access access = {};                  // in the input of the function, or the array that it reads
+  // In memory: cells with a constant step of iterations, one node, or a list.
   std::optional<Cell> cell = {};
   std::int64_t step = 0;
-  bool in_chain = false; // of what the row before computes: the cell says which operation
+  bool in_chain = false; // computed by the row before: the cell gives the operation
   NodeId node = no_node;
-  // Of what is carried on, the operation of the body that computes it, and in `nodes` its values in the first
-  // iterations: as many as it is carried.
+  // A loop-carried value: the body operation that computes it, and in `nodes` its values in the first iterations,
+  // one for each iteration that it is carried over.
   std::uint32_t next = no_position;
   std::vector<NodeId> nodes = {};
 };
 
-// A constant, or a column of a table: of these values, one for each iteration. `nest`: whose iterations they are.
+// Role of one value per iteration: a constant, or a column of a table. `nest`: that of the iterations.
 Role role_of_values(std::vector<double> const &values, std::optional<Nest> const &nest = {});
 
-// Says to memory what the column needs; `copy` puts a node into a cell before the loop.
+// Declares to memory what the column needs; `copy` puts a node into a cell before the loop.
 Role choose_role(Sequence const &sequence, std::vector<LoopBody> const &loops, std::uint32_t loop, Column const &column,
                  Memory &memory, std::function<void(Cell const &, NodeId)> const &copy);
 
-// Once memory is laid out. `nest`: whose iterations the loop has.
+// Leaf for the role, after memory is laid out. `nest`: that of the loop.
 Leaf leaf_of(Role const &role, Memory const &memory, std::optional<Nest> const &nest = {});
 
-// The array that such a node, which no operation computes, is an element of.
+// Array that holds a node from this source; not for computed nodes.
 Leaf::Kind array_of(Source source);
 
-// As first and step, if they fit.
+// Affine access if the elements fit, else a list.
 Access access_of(std::vector<std::uint32_t> elements);
 
 } // namespace symreal::reroll

@@ -7,10 +7,10 @@ namespace symreal::reroll {
 
 namespace {
 
-// Per operation of the period from `from` on: how many values are computed before it and used from it on, at most a
-// period after they were computed.
+// Live values per cut: per operation of the period from `from` on, the number of values computed before it and used
+// from it on, within a period after their computation.
 std::vector<std::uint32_t> crossings(Sequence const &sequence, std::uint32_t from, std::uint32_t period) {
-  // Of what the periods around `from` compute, as distances.
+  // Distance to the last use, per value of the period before `from` and the one after.
   std::vector<std::uint32_t> last_use(std::size_t{2} * period, 0);
   std::uint32_t const first = from - period;
   for (std::uint32_t at = first; at < from + 2 * period && at < sequence.size(); ++at) {
@@ -22,7 +22,7 @@ std::vector<std::uint32_t> crossings(Sequence const &sequence, std::uint32_t fro
     }
   }
   std::vector<std::int64_t> change(period + 1, 0);
-  for (std::uint32_t k = 0; k < 2 * period; ++k) { // alive in front of the operations made + 1 to its last use
+  for (std::uint32_t k = 0; k < 2 * period; ++k) { // live before operations made + 1 up to its last use
     std::int64_t const made = std::int64_t{k} - period, begin = std::max<std::int64_t>(made + 1, 0),
                        end = std::min<std::int64_t>(made + last_use[k] + 1, period);
     if (begin >= end) continue;

@@ -1,13 +1,13 @@
-// Where in a period a loop begins.
+// Loop rotation: the choice of the operation at which a loop's period begins.
 #pragma once
 
 #include "engine/plan/reroll/repeats.h"
 
 namespace symreal::reroll {
 
-// Of the operations begin..end-1, which match those a period later: the loop that hands the fewest values from an
-// iteration to the next. A body that begins in the middle of what its source had as one would carry what stands half
-// computed there, and passes could make nothing of it (bodies.h).
+// Loop over operations begin..end-1, each of which matches the one a period later, rotated so that the fewest values
+// are loop-carried. A body that splits a source iteration in the middle would carry its intermediate values, and passes
+// could not simplify it (bodies.h).
 Repeat rotated(Sequence const &sequence, std::uint32_t begin, std::uint32_t end, std::uint32_t period);
 
 } // namespace symreal::reroll

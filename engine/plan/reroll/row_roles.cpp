@@ -6,7 +6,7 @@ namespace symreal::reroll {
 
 namespace {
 
-// One operation of the body, whose value each chain has from the row before; in its first row from elsewhere.
+// Operation that computes the operand in the row before, with each chain's initial value; nullopt if it varies.
 std::optional<Entry> entry_of(std::vector<NodeId> const &nodes, Nest const &rows, std::uint32_t loop,
                               Sequence const &sequence, std::vector<LoopBody> const &loops, Memory const &memory) {
   std::optional<Cell> const second = memory.cell(nodes[static_cast<std::size_t>(begin_of(rows, 1))]);
@@ -34,7 +34,7 @@ std::optional<Role> choose_role_in_rows(Sequence const &sequence, std::vector<Lo
   std::optional<Nest> const &of_loop = loops[loop].repeat.rows;
   internal_check(of_loop.has_value());
   Nest const &rows = *of_loop;
-  // Signs may differ from chain to chain, until they are chosen.
+  // Signs may still differ from chain to chain here.
   if (column.nodes.empty()) return role_of_values(column.values, rows);
   if (std::optional<std::vector<NodeId>> const nodes = by_turns(column.nodes, rows)) {
     Role role = choose_role(sequence, loops, loop, {*nodes}, memory, copy);
@@ -48,7 +48,7 @@ std::optional<Role> choose_role_in_rows(Sequence const &sequence, std::vector<Lo
   std::optional<Entry> entry = entry_of(column.nodes, rows, loop, sequence, loops, memory);
   if (!entry) return {};
   for (Entry const &known : entries)
-    if (known.position == entry->position) return {}; // with other nodes, or it were the same column
+    if (known.position == entry->position) return {}; // with other nodes, as columns are distinct
   memory.need_in_chain(loop, entry->position);
   Role role{Leaf::Kind::memory};
   role.cell = Cell{loop, entry->position, 0};

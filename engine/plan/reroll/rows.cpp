@@ -4,7 +4,7 @@ namespace symreal::reroll {
 
 namespace {
 
-constexpr std::size_t most_stages = 8; // in a row
+constexpr std::size_t most_stages = 8; // per row
 constexpr std::uint32_t least_rows = 4, least_chains = 2;
 
 class Finder {
@@ -20,7 +20,7 @@ public:
     }
   }
 
-  // That hold the most operations.
+  // Finds the rows that hold the most operations.
   std::optional<Rows> run() const {
     std::optional<Rows> best;
     for (std::size_t period = 1; period <= most_stages; ++period) {
@@ -45,7 +45,7 @@ private:
     return operations;
   }
 
-  // Of the stages begin..end-1 the last ones that equally many chains join from row to row.
+  // Rows at the end of the stages begin..end-1 that an equal number of chains joins from row to row.
   std::optional<Rows> even(std::size_t begin, std::size_t end, std::size_t period) const {
     std::size_t const last = end - period;
     if (last < begin + period) return {};
@@ -61,7 +61,7 @@ private:
     return static_cast<std::int64_t>(counts_[stage]) - counts_[stage - period];
   }
 
-  // In the longest chain, what each operation has from its chain stands equally far back.
+  // Whether two stages of the longest chain match, with operands from the chain equally far back.
   bool are_alike(std::size_t stage, std::size_t other) const {
     std::uint32_t const size = depths_[stage] - depths_[stage + 1], end = chains_.ends[longest_];
     if (depths_[other] - depths_[other + 1] != size) return false;
@@ -85,7 +85,7 @@ private:
   Chains const &chains_;
   std::vector<std::uint32_t> const &depths_;
   std::size_t longest_;
-  std::vector<std::uint32_t> counts_; // per depth: of the chains that are so long
+  std::vector<std::uint32_t> counts_; // per depth: number of chains at least that long
 };
 
 } // namespace

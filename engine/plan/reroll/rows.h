@@ -1,4 +1,4 @@
-// Stages of chains that are alike, each or every second or third one: as rows, so many of them in each.
+// Rows: periodic stages of chains, grouped so that each row has one period of them.
 #pragma once
 
 #include "engine/plan/reroll/chains.h"
@@ -6,14 +6,14 @@
 namespace symreal::reroll {
 
 struct Rows {
-  std::size_t first, period; // the first stage, and how many a row has
-  Nest nest;                 // turn by turn the chains that have all of them
+  std::size_t first, period; // the first stage, and the number of stages per row
+  Nest nest;                 // turn by turn the chains that have all stages of the row
 
   std::size_t end() const { return first + period * nest.turns; }
 };
 
-// `depths`: where stages begin, in operations before the ends of chains, the longest first; at last 0. None where there
-// are too few, or chains do not join them evenly. Time is that of comparing the longest chain with itself a few times.
+// `depths`: begins of stages, in operations before the ends of chains, descending to 0. Returns nullopt if rows are too
+// few, or if chains do not join them evenly. Takes the time of comparing the longest chain with itself a few times.
 std::optional<Rows> find_rows(Sequence const &sequence, Chains const &chains, std::vector<std::uint32_t> const &depths);
 
 } // namespace symreal::reroll

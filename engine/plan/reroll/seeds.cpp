@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::uint32_t window = 12;
 
-// What operations read here and there.
+// Nodes with several uses far from their definition.
 std::vector<char> shared_nodes(Sequence const &sequence) {
   constexpr std::uint32_t far = 200;
   std::vector<char> result(sequence.position.size(), 0);
@@ -31,7 +31,7 @@ std::vector<std::vector<std::uint32_t>> seeds(Sequence const &sequence) {
   std::uint32_t const size = static_cast<std::uint32_t>(sequence.size());
   std::vector<char> const is_shared = shared_nodes(sequence);
   std::vector<std::uint64_t> tokens(size);
-  std::vector<std::uint32_t> named(size + std::size_t{1}, 0); // how many operations before have such an operand
+  std::vector<std::uint32_t> named(size + std::size_t{1}, 0); // prefix sums: operations with an identifying operand
   for (std::uint32_t at = 0; at < size; ++at) {
     Operation const &operation = sequence.operations[at];
     std::uint64_t token = static_cast<std::uint64_t>(operation.op) + 1;

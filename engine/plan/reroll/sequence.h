@@ -1,4 +1,4 @@
-// The operations of a function in the order of recording: in what repeats are looked for.
+// Sequence: the operations of a function in recording order, which repeats are searched in.
 #pragma once
 
 #include "engine/plan/schedule/schedule.h"
@@ -10,14 +10,14 @@ namespace symreal::reroll {
 
 inline constexpr std::uint32_t no_position = ~std::uint32_t{0};
 
-// An operand of an operation; `negated`: of a difference the second.
+// An operand; `negated`: the second operand of a difference.
 struct Operand {
   NodeId node = no_node;
   bool negated = false;
   bool operator==(Operand const &) const = default;
 };
 
-// x - y is x + (-y), bit by bit, so that sums and differences are one kind of operation.
+// x - y is bitwise x + (-y), so sums and differences are one kind of operation.
 struct Operation {
   NodeId node;
   Op op;
@@ -26,16 +26,16 @@ struct Operation {
   bool may_exchange = false; // the first two
 };
 
-// Where a function has a node from: a number in its text, its input, what preprocess has filled, what it begins with
-// (schedule/angles.h), an operation of its own.
+// Source of a node in a function: a literal, the input, the array that preprocess fills, the sines and cosines at the
+// start (schedule/angles.h), or an operation of its own.
 enum class Source : std::uint8_t { constant, input, read, sine, cosine, computed };
 
 struct Sequence {
   Graph const *graph;
   std::vector<Operation> operations;
-  std::vector<std::uint32_t> position; // per node: of the operation that computes it, or no_position
-  std::vector<std::uint32_t> slot;     // per node: where the function reads it from the array that preprocess fills
-  std::vector<std::uint32_t> angle;    // per node: where it stands among the sines or cosines
+  std::vector<std::uint32_t> position; // per node: position of the operation that computes it, or no_position
+  std::vector<std::uint32_t> slot;     // per node: slot in the array that preprocess fills, or no_slot
+  std::vector<std::uint32_t> angle;    // per node: index among the sines or cosines, or no_slot
 
   std::size_t size() const { return operations.size(); }
   bool is_computed(NodeId node) const { return position[node] != no_position; }
@@ -45,7 +45,7 @@ struct Sequence {
     if (angle[node] != no_slot) return graph->nodes[node].op == Op::sin ? Source::sine : Source::cosine;
     return graph->nodes[node].is_constant() ? Source::constant : Source::input;
   }
-  // Of the array that the node is read from.
+  // Index of the node in the array that it is read from.
   std::uint32_t element(NodeId node) const {
     switch (source(node)) {
     case Source::read: return slot[node];
@@ -56,7 +56,7 @@ struct Sequence {
   }
 };
 
-// Of what `roots` need.
+// Sequence of the operations that `roots` need.
 Sequence sequence(Schedule const &plan, bool in_compute, std::vector<NodeId> const &roots);
 
 } // namespace symreal::reroll

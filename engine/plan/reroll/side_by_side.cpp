@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::int64_t most_unrolled = 16; // iterations of an inner loop: gcc's max-completely-peel-times
 
-// With the turns of the innermost loop. None where only a table says where it stands.
+// Access as an affine index with the innermost loop's step; nullopt if it needs an index table.
 std::optional<NestedAccess> in_loop(Access const &access, std::optional<Nest> const &nest) {
   if (!access.is_listed()) return NestedAccess{access.first, 0, access.step};
   return nest ? nested(access, *nest) : std::nullopt;

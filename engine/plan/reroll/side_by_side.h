@@ -1,17 +1,16 @@
-// Loops that compilers may carry out several iterations of at the same time, and round as before.
+// Vectorisation safety: loops that compilers may vectorise without changing results.
 //
-// gcc's vectoriser fuses a product with the sum behind it, whatever the flags, where it finds sums and differences in
-// turn in what stands side by side in memory (its pattern addsub). That takes stores of one iteration to neighbouring
-// elements, so a loop without such stores is safe: its vectors are of iterations, which all do the same. Small loops
-// that are inside of another one are unrolled before, and then stores of several iterations are one of the outer
-// loop's.
+// gcc's vectoriser, in its pattern addsub, fuses a product with the sum behind it, whatever the flags, if sums and
+// differences alternate in neighbouring elements of memory. That takes stores of one iteration to neighbouring
+// elements, so a loop without such stores is safe: its vectors hold one operation of several iterations. Small inner
+// loops are unrolled first, and then the stores of several inner iterations belong to one outer iteration.
 #pragma once
 
 #include "engine/plan/reroll/loop_program.h"
 
 namespace symreal::reroll {
 
-// Whether no iteration waits for another one, and no stores of one iteration may be neighbours.
+// Whether iterations are independent, and no two stores of one iteration can be neighbours.
 bool is_side_by_side(Step const &step);
 
 } // namespace symreal::reroll

@@ -18,12 +18,12 @@ SignRelations::SignRelations(std::vector<SignedBody> const &bodies, std::size_t 
   for (SignedBody const &body : bodies_)
     for (Store const &store : body.step().stores)
       if (store.is_result && !body.is_number(store.value)) fix(body, store.value);
-  // What functions take and give is as it is: said later, it would take factors, and links of a chain may all be turned
-  // by any signs before.
+  // Arguments and results of functions keep their signs. Related later, they would need factors; earlier relations may
+  // still flip all links of a chain.
   for (SignedBody const &body : bodies_)
     for (NodeId id = 0; id < body.size(); ++id)
       if (passes_no_sign_on(body.node(id).op)) relate_operation(body, id);
-  // Signs that are the same in all iterations cost nothing: so loops choose before what is computed once.
+  // Signs that are uniform over iterations are free, so loops choose before straight-line code.
   relate_operations(true);
   relate_numbers(true);
   for (SignedBody const &body : bodies_)
@@ -46,10 +46,10 @@ Pattern SignRelations::of_store(SignedBody const &body, std::size_t store) const
   return pattern;
 }
 
-// Rows of chains hold most of what is computed, and the stages before and behind them go by them: so they are first.
-// Otherwise loops in which the most chains go on come last, and the signs of all of them must agree there: so the last
-// loops first. In a body first what leaves no choice, since the sign of a product with a known sign is that of the
-// other operand; and from what is stored down to what is read, since what is stored has its signs already.
+// Order: rows of chains first, since they hold most operations and the stages around them follow their signs. Then the
+// last loops first, since the loops with the most chains come last and all chains must agree there. In a body,
+// operations with a forced sign first (a product with a known sign determines the other operand's); and from stores
+// down to reads, since stores have their signs already.
 void SignRelations::relate_operations(bool in_loops) {
   auto const is_settled = [&](SignedBody const &body, NodeId id) { return is_known(body, id) || is_uniform(body, id); };
   auto const is_forced = [&](SignedBody const &body, Node const &node) {
@@ -67,16 +67,16 @@ void SignRelations::relate_operations(bool in_loops) {
     }
 }
 
-// What is free yet leaves the numbers of tables as they are, unless the table repeats earlier without their signs.
+// Free values leave table entries unchanged, unless an earlier table has the same entries without their signs.
 void SignRelations::relate_numbers(bool in_loops) {
   for (SignedBody const &body : bodies_)
     for (NodeId id = 0; id < body.size() && (body.count() > 1) == in_loops; ++id)
       relate_product_with_numbers(body, id, false);
 }
 
-// What is read is what was stored there last, or carried on; anything else is given.
+// Relates a read value to the last value stored there, or carried; other leaves are given.
 void SignRelations::relate_leaves(std::size_t memory) {
-  std::vector<std::optional<std::uint32_t>> stored(memory); // per element the value
+  std::vector<std::optional<std::uint32_t>> stored(memory); // last value stored, per element
   auto const source = [&](SignedBody const &body, NodeId id, std::uint32_t k) -> std::optional<std::uint32_t> {
     Leaf const *const leaf = body.leaf(id);
     if (!leaf) return {};
@@ -104,7 +104,7 @@ bool SignRelations::is_known(SignedBody const &body, NodeId id) {
   return true;
 }
 
-// Whether the sign, known or not, is the same in all iterations: that of what is set before a loop.
+// Whether the sign, known or not, is uniform over iterations, as is that of a value set before the loop.
 bool SignRelations::is_uniform(SignedBody const &body, NodeId id) {
   RelativeSigns::Sign const first = signs_.of({body.value(0, id)});
   for (std::uint32_t k = 1; k < body.count(); ++k)
@@ -112,7 +112,7 @@ bool SignRelations::is_uniform(SignedBody const &body, NodeId id) {
   return !first.is_too_far;
 }
 
-// In all iterations, or in none.
+// Relates all iterations, or leaves all unrelated.
 template <class Relate> bool SignRelations::in_all_iterations(SignedBody const &body, Relate const &relate) {
   std::size_t const mark = signs_.mark();
   for (std::uint32_t k = 0; k < body.count(); ++k) {
@@ -150,7 +150,7 @@ void SignRelations::relate_operation(SignedBody const &body, NodeId id) {
   }
 }
 
-// First to the operand whose signs are known: those of the other may still be chosen, also for all iterations anew.
+// Relates to the operand with known signs first; the other's may still be chosen, even anew for all iterations.
 void SignRelations::relate_sum(SignedBody const &body, NodeId id) {
   auto [first, second, none] = body.node(id).operand;
   if (is_known(body, second) && !is_known(body, first)) std::swap(first, second);
@@ -177,7 +177,7 @@ static bool repeats_earlier_without_signs(SignedBody const &body, NodeId number)
   return (role.constant ? 1 : role.values.size()) < magnitudes.size();
 }
 
-// `are_units`: only products with 1 and -1, which nobody needs then; otherwise only others.
+// `are_units`: only products with 1 and -1, which become sign flips; else only the other products.
 void SignRelations::relate_product_with_numbers(SignedBody const &body, NodeId id, bool are_units) {
   std::optional<unsigned> const place = body.place_beside_number(id);
   if (!place) return;

@@ -1,7 +1,7 @@
-// Which values are computed as negatives, in which iterations: chosen for all steps of a function together.
+// Sign relations: which values are computed negated, in which iterations, chosen for all steps of a function together.
 //
-// Method: greedy. Operation by operation the signs of the result and of the operands are related so that no factor is
-// needed, in all iterations at once or, where that contradicts what was related before, not at all.
+// Method: greedy. For each operation, the signs of the result and of the operands are related so that it needs no sign
+// factor: in all iterations at once, or not at all if that contradicts earlier relations.
 #pragma once
 
 #include "engine/plan/reroll/relative_signs.h"
@@ -11,12 +11,12 @@ namespace symreal::reroll {
 
 class SignRelations {
 public:
-  // The bodies of the steps of a function, in order, which must outlive this; `memory`: of its elements.
+  // `bodies`: the steps' bodies in order, which must outlive this object; `memory`: number of its elements.
   SignRelations(std::vector<SignedBody> const &bodies, std::size_t memory);
 
-  // In which iterations the node is a negative.
+  // Iterations in which the node is negated.
   Pattern of(SignedBody const &body, NodeId id) const;
-  // In which a negative is stored.
+  // Iterations in which the stored value is negated.
   Pattern of_store(SignedBody const &body, std::size_t store) const;
 
 private:

@@ -1,4 +1,4 @@
-// What the choice of signs (signs.h) knows of a body.
+// Body of a step as the choice of signs (signs.h) sees it.
 #pragma once
 
 #include "engine/plan/reroll/nest.h"
@@ -9,7 +9,7 @@
 
 namespace symreal::reroll {
 
-using Pattern = std::vector<char>; // per iteration: whether the sign is the other one
+using Pattern = std::vector<char>; // per iteration: whether the sign is flipped
 
 inline bool is_mixed(Pattern const &pattern) {
   return std::ranges::any_of(pattern, [&](char sign) { return sign != pattern.front(); });
@@ -20,7 +20,7 @@ inline Pattern product(Pattern a, Pattern const &b) {
   return a;
 }
 
-// The body of a step whose values may be negatives, another in each iteration.
+// The body of a step whose values may be negated, per iteration.
 class SignedBody {
 public:
   SignedBody(Step const &step, std::uint32_t first) : step_(&step), first_(first) {}
@@ -29,9 +29,9 @@ public:
   std::uint32_t count() const { return step_->count; }
   NodeId size() const { return static_cast<NodeId>(step_->body.nodes.size()); }
   Node const &node(NodeId id) const { return step_->body.nodes[id]; }
-  // All nodes of all iterations have numbers, also across bodies: from `first` on, to `end`.
+  // Number of a node's value in an iteration, unique across bodies: from `first` on, up to `end`.
   std::uint32_t value(std::uint32_t iteration, NodeId id) const { return first_ + iteration * size() + id; }
-  // So has what is stored: what is computed once may be stored as its negative.
+  // Number of a stored value; in a step without a loop distinct from the node's, so that a store may negate it.
   std::uint32_t stored(std::uint32_t iteration, std::size_t store) const {
     if (count() > 1) return value(iteration, step_->stores[store].value);
     return value(1, 0) + static_cast<std::uint32_t>(store);
@@ -43,7 +43,7 @@ public:
 
   Pattern plain() const { return Pattern(count(), 0); }
 
-  // Numbers of the text or of a table: they take any sign.
+  // Whether the node is a literal or a table entry, which can take either sign.
   bool is_number(NodeId id) const {
     Leaf const *const here = leaf(id);
     return node(id).is_constant() || (here && here->kind == Leaf::Kind::values);
@@ -62,7 +62,7 @@ public:
       if (std::fabs(number(id, k)) != 1) return false;
     return true;
   }
-  // Of a product or quotient with numbers the operand that is the other one.
+  // Index of the operand beside the number in a product or quotient with one number; else nullopt.
   std::optional<unsigned> place_beside_number(NodeId id) const {
     Node const &here = node(id);
     if (here.op != Op::mul && here.op != Op::div) return {};

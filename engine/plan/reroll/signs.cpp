@@ -14,7 +14,7 @@ namespace symreal::reroll {
 
 namespace {
 
-// A node of the new body: the value that relations say, or in all iterations its negative.
+// A node of the new body, and whether it is the opposite of the related value in all iterations.
 struct Now {
   NodeId node = no_node;
   bool negated = false;
@@ -98,7 +98,7 @@ private:
 
   Pattern minus() const { return Pattern(body_.count(), 1); }
 
-  // Of the node that stands for it now.
+  // Signs of the node that now replaces `id`.
   Pattern sign_of(NodeId id) const {
     if (body_.is_number(id)) return body_.plain();
     return now_[id].negated ? product(signs_.of(body_, id), minus()) : signs_.of(body_, id);
@@ -129,7 +129,7 @@ private:
     return column(values);
   }
 
-  // A column or its negative, of which one is in the body.
+  // A column or its negative; the body has only one of them.
   Now column(std::vector<double> const &values) {
     Role role = role_of_values(values, body_.step().nest);
     if (role.constant) role.values = {*role.constant};
@@ -153,16 +153,16 @@ private:
 
   SignedBody const &body_;
   SignRelations const &signs_;
-  std::vector<char> positive_; // columns, by the order in which they are met
+  std::vector<char> positive_; // per column, in order of first use
   BodyBuilder builder_;
-  std::vector<Now> now_;                              // per node that is no number
-  std::map<std::vector<std::uint64_t>, Now> columns_; // negated: the body has the one whose greatest number is negative
+  std::vector<Now> now_;                              // per node other than numbers
+  std::map<std::vector<std::uint64_t>, Now> columns_; // negated: in the body the largest magnitude is negative
 };
 
-// Loops that go through the same numbers can share them if their signs are the same, too: so the greatest number of a
-// column is positive wherever that takes no operation more.
+// Loops share tables with equal entries, so the largest magnitude of a column is made positive where that takes no
+// extra operation.
 Step with_positive_columns(SignedBody const &body, SignRelations const &signs) {
-  constexpr std::size_t most_work = 100'000'000; // columns times values
+  constexpr std::size_t most_work = 100'000'000; // columns times their values
   Rewriter plain(body, signs, {});
   Step best = plain.step();
   std::vector<char> positive(plain.columns(), 1);

@@ -1,17 +1,16 @@
-// Signs that differ from iteration to iteration.
+// Elimination of sign factors that differ between iterations.
 //
-// What is a sum in one link of a chain is a difference in the next, and in a body that serves both it takes a factor of
-// 1 or -1. Most of these factors are not needed: where an iteration computes the negative of a value and whoever reads
-// it adds in place of subtracting, nothing is lost. Which iterations compute which negatives is chosen here, for all
-// steps together, so that few factors remain.
+// A sum in one link of a chain may be a difference in the next, and a body that serves both needs a factor of 1 or -1.
+// Most factors are avoidable: an iteration can compute a value negated if its readers subtract instead of adding. The
+// negated values of each iteration are chosen here, for all steps together, so that few factors remain.
 #pragma once
 
 #include "engine/plan/reroll/loop_program.h"
 
 namespace symreal::reroll {
 
-// The function with at most as many operations: its results are the same numbers, a zero's sign and a NaN's aside. Its
-// memory may hold negatives.
+// The function with at most as many operations: its results are equal up to the sign of zeros and NaNs. Its memory may
+// hold negated values.
 LoopFunction with_few_signs(LoopFunction function);
 
 } // namespace symreal::reroll

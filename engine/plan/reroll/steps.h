@@ -1,4 +1,4 @@
-// The steps of a function: of a straight stretch, and of a loop once its operands have roles.
+// Construction of steps: of straight pieces, and of loops whose operands have roles.
 #pragma once
 
 #include "engine/plan/reroll/direct_results.h"
@@ -6,11 +6,11 @@
 
 namespace symreal::reroll {
 
-// `results`: which ones each operation is that the step stores itself.
+// `results`: per operation the results that the step stores directly.
 Step straight_step(Piece const &piece, Sequence const &sequence, Memory const &memory,
                    std::map<NodeId, std::vector<std::uint32_t>> const &results);
 
-// `loop`: its number in memory. `roles`: of its columns. `results`: what it stores of them.
+// `loop`: its number in memory. `roles`: of its columns. `results`: those that the loop stores directly.
 Step loop_step(std::uint32_t loop, LoopBody const &plan, std::vector<Role> const &roles, Graph const &graph,
                Memory const &memory, std::vector<LoopResult> const &results);
 

@@ -36,9 +36,9 @@ public:
   std::size_t size() const { return size_; }
 
 private:
-  using Ranges = std::map<std::size_t, std::size_t>; // by where they begin: sizes
+  using Ranges = std::map<std::size_t, std::size_t>; // begin -> size
 
-  // A range of this size at the end, of which a part may have been free.
+  // Range of this size at the end of the array; includes free elements there.
   Ranges::iterator grow(std::size_t size) {
     std::size_t begin = size_;
     if (!free_.empty() && std::prev(free_.end())->first + std::prev(free_.end())->second == size_) {
@@ -59,7 +59,7 @@ Storage stored(std::vector<Block> const &blocks) {
   std::vector<std::size_t> order(blocks.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::ranges::stable_sort(order, {}, [&](std::size_t k) { return blocks[k].life.first; });
-  using Last = std::pair<std::uint32_t, std::size_t>; // of a block
+  using Last = std::pair<std::uint32_t, std::size_t>; // last step and index of a block
   std::priority_queue<Last, std::vector<Last>, std::greater<>> alive;
   Places places;
   Storage storage{std::vector<std::size_t>(blocks.size())};

@@ -1,4 +1,4 @@
-// Where blocks stand in an array: those that are not needed at the same time share elements.
+// Storage allocation: offsets of blocks in an array, where blocks with disjoint live ranges share elements.
 #pragma once
 
 #include <cstddef>
@@ -7,7 +7,7 @@
 
 namespace symreal::reroll {
 
-// When somebody first writes and last reads what stands there, in steps.
+// Live range of a value in memory: the steps of its first write and its last read.
 struct Life {
   std::uint32_t first, last;
 
@@ -24,7 +24,7 @@ struct Storage {
   std::size_t size = 0;            // of the array
 };
 
-// Block by block, as they come to life, at the first place that is free then.
+// First-fit allocation of the blocks, in order of the begin of their live ranges.
 Storage stored(std::vector<Block> const &blocks);
 
 } // namespace symreal::reroll

@@ -6,7 +6,7 @@ namespace symreal::reroll {
 
 namespace {
 
-// Where operand i of operation p stands in an iteration.
+// Sequence position of operand i of operation p in iteration k.
 std::uint32_t position_of(Sequence const &sequence, Repeat const &repeat, std::uint32_t k, std::uint32_t p,
                           unsigned i) {
   return sequence.position[sequence.operations[repeat.begin + k * repeat.period + p].operands[i].node];
@@ -16,7 +16,7 @@ bool is_inside(Repeat const &repeat, std::uint32_t k, std::uint32_t position) {
   return position != no_position && position >= repeat.begin + k * repeat.period && position < repeat.end();
 }
 
-// The first iteration in which an operation reads what that iteration computes, unless all do so alike.
+// The first iteration that breaks the rule in trim.h; nullopt if all comply.
 std::optional<std::uint32_t> misfit(Sequence const &sequence, Repeat const &repeat) {
   for (std::uint32_t p = 0; p < repeat.period; ++p) {
     Operation const &first = sequence.operations[repeat.begin + p];

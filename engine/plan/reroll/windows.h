@@ -6,7 +6,7 @@
 
 namespace symreal::reroll {
 
-// Per token the hash of the `window` tokens from it on, as far as there are so many. Method: Karp and Rabin.
+// Per token, the hash of the `window` tokens from it on, except near the end. Method: Karp-Rabin rolling hash.
 inline std::vector<std::uint64_t> window_hashes(std::vector<std::uint64_t> const &tokens, std::size_t window) {
   constexpr std::uint64_t base = 0x9E3779B97F4A7C15, spread = 0xD6E8FEB86659FD93;
   std::uint64_t leaving = 1, hash = 0;

@@ -11,7 +11,7 @@ namespace {
 
 bool is_exact(Graph const &graph, NodeId id) { return !graph.node_exact.empty() && graph.node_exact[id]; }
 
-// Per node: whether it is a sine or cosine that is computed in any case.
+// Per node: whether it is a sine or cosine that is computed unconditionally.
 std::vector<char> candidates(Schedule const &plan) {
   Graph const &graph = *plan.graph;
   std::vector<char> const live = live_nodes(graph);
@@ -38,7 +38,7 @@ std::vector<char> candidates(Schedule const &plan) {
   return result;
 }
 
-// The angles among which there are none but inputs, or none.
+// Angles of the wanted nodes: those that are inputs, or else the computed ones.
 std::vector<NodeId> angles_of(Graph const &graph, std::vector<char> const &wanted, bool are_inputs) {
   std::vector<NodeId> angles;
   for (NodeId id = 0; id < graph.nodes.size(); ++id)
@@ -54,7 +54,7 @@ std::vector<NodeId> angles_of(Graph const &graph, std::vector<char> const &wante
   return angles;
 }
 
-// Gives these angles elements from `next` on.
+// Assigns these angles the elements from `next` on.
 void give_elements(Graph const &graph, std::vector<char> const &wanted, std::vector<NodeId> const &angles,
                    std::size_t next, std::vector<std::uint32_t> &element) {
   if (angles.empty()) return;
@@ -66,7 +66,7 @@ void give_elements(Graph const &graph, std::vector<char> const &wanted, std::vec
       element[id] = of_angle[graph.nodes[id].operand[0]];
 }
 
-// Whether it can be computed before any sine, by operations that may be repeated.
+// Per node: whether it can be computed before all sines, by operations that may be repeated.
 std::vector<char> comes_first(Schedule const &plan) {
   Graph const &graph = *plan.graph;
   std::vector<char> result(graph.nodes.size(), 0);
@@ -87,9 +87,9 @@ std::vector<NodeId> roots_of_compute(Graph const &graph) {
   return roots;
 }
 
-// The statements that are left: checks and parts stand where they stood.
+// Removes the other statements; checks and parts keep their places.
 template <class IsLeft> void leave_out(IsLeft const &is_left, FunctionBody &body) {
-  std::vector<std::size_t> left(body.variables.size() + 1, 0); // of the statements before each
+  std::vector<std::size_t> left(body.variables.size() + 1, 0); // per statement: remaining statements before it
   std::size_t count = 0;
   for (std::size_t k = 0; k < body.variables.size(); ++k) {
     NodeId const id = body.variables[k];
@@ -105,7 +105,7 @@ template <class IsLeft> void leave_out(IsLeft const &is_left, FunctionBody &body
   for (ThreadPart &part : body.parts) part.end = left[part.end];
 }
 
-// What a vector of doubles has; a loop over fewer is not worth its beginning and end.
+// Least number of computed angles: one vector of doubles; below that, a loop does not pay.
 constexpr std::size_t least_computed = 4;
 
 void add_computed(std::vector<char> wanted, Schedule &plan) {

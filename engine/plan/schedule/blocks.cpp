@@ -54,12 +54,12 @@ private:
     bool is_else = false;
   };
   struct Variable {
-    std::size_t block = never; // where it is set; `never`: outside of all
+    std::size_t block = never; // block that sets it; `never`: it is outside all blocks
     bool read_outside = false;
-    std::vector<std::size_t> results = {}; // that are stored as soon as it is set
+    std::vector<std::size_t> results = {}; // stored as soon as it is set
   };
 
-  // Gives the results of this chunk to their variables; those that are stored at its end are left.
+  // Assigns the results of this chunk to their variables; returns those stored at its end.
   std::vector<std::size_t> place_stores() {
     std::vector<std::size_t> last;
     for (std::size_t const result : chunks_.stores.of_chunk[chunk_]) {
@@ -73,7 +73,7 @@ private:
     return last;
   }
 
-  // Ends blocks and begins others, so that exactly these literals hold.
+  // Closes and opens blocks so that exactly these literals hold.
   void move_to(std::vector<Literal> wanted) {
     std::size_t kept = 0;
     auto is_wanted = [&](Literal const &literal) {
@@ -84,7 +84,7 @@ private:
     while (open_.size() > kept + 1) close();
     if (open_.size() > kept) {
       Literal const opposite{open_.back().literal.condition, !open_.back().literal.holds};
-      if (is_wanted(opposite) && !open_.back().is_else) { // an if has one else: after c and !c comes another if
+      if (is_wanted(opposite) && !open_.back().is_else) { // an if has a single else: another c needs a new if
         std::erase(wanted, opposite);
         ends_[open_.back().id] = steps_.size();
         steps_.push_back({Step::Kind::otherwise, 0, opposite});
@@ -125,12 +125,12 @@ private:
   bool is_own(NodeId id) const {
     return chunks_.statement[id] >= first_ && chunks_.statement[id] < first_ + variables_.size();
   }
-  // Of this chunk, or kept by an earlier one.
+  // Whether the node is a variable of this chunk, or spilled by an earlier one.
   bool is_variable(NodeId id) const { return is_own(id) || chunks_.spill_slot[id] != no_slot; }
 
   bool is_kept(std::size_t statement) const { return chunks_.spill_slot[body_.variables[statement]] != no_slot; }
 
-  // What is kept must have been declared where the outermost block ends.
+  // Adds declarations; spilled variables are declared before, and stored behind, the outermost block.
   std::vector<Step> with_declarations() {
     std::vector<Step> result;
     for (std::size_t at = 0; at < steps_.size();) {
@@ -158,14 +158,14 @@ private:
     return result;
   }
 
-  // What stores the value of a statement.
+  // Adds the steps that store the value of a statement.
   void push_stores(std::size_t statement, std::vector<Step> &steps) const {
     if (is_kept(statement)) steps.push_back({Step::Kind::keep, statement});
     for (std::size_t const result : variables_[statement - first_].results)
       steps.push_back({Step::Kind::store, result});
   }
 
-  // A step outside of all blocks, or all up to the end of an outermost block.
+  // End of the group at `at`: one step outside all blocks, or one outermost block.
   std::size_t group_end(std::size_t at) const {
     std::size_t depth = 0;
     do {

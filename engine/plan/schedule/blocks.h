@@ -1,7 +1,7 @@
-// The statements of one chunk with the blocks of their regions around them.
+// Statements of one chunk, enclosed in the blocks of their regions.
 //
-// Neighbours of one region share a block. A variable that is read outside of its block is declared before the outermost
-// one, with the value 0 that it keeps where the block is not entered; nobody uses it then. Blocks end with the chunk.
+// Neighbours of one region share a block. A variable read outside its block is declared before the outermost block,
+// with the value 0, which it keeps, unread, if the block is not entered. Blocks end with the chunk.
 #pragma once
 
 #include "engine/plan/schedule/chunks.h"
@@ -10,18 +10,18 @@ namespace symreal {
 
 struct Step {
   enum class Kind {
-    declare,   // variable `index`, which is set in a block and read outside
+    declare,   // variable `index`, set in a block and read outside
     open,      // a block: if (literal)
     otherwise, // ends a block and begins its else
     close,     // the innermost block
     set,       // variable `index`
-    set_const, // the same, declared here
+    set_const, // variable `index`, declared here
     keep,      // stores variable `index` in its spill slot
     check,     // guard `index`
-    copy,      // stores number `index` of what is copied from the input
+    copy,      // stores copy `index` of an array element
     store,     // stores result `index`
   } kind;
-  std::size_t index = 0; // of a statement of the body; of a check
+  std::size_t index = 0; // index of a statement, variable, or guard
   Literal literal = {};
 };
 

@@ -68,7 +68,7 @@ private:
     chunks.begin.push_back(end);
   }
 
-  // The variables and elements of arrays that a statement and the blocks around it read.
+  // Notes the variables and array elements that a statement and the blocks around it read.
   void note_reads(std::size_t statement, std::size_t chunk) {
     NodeId const id = body_.variables[statement];
     for (Literal const &literal : body_.regions.literals(body_.region[statement])) note_read(literal.condition, chunk);
@@ -114,16 +114,16 @@ private:
     std::iota(chunks.stores.behind.begin(), chunks.stores.behind.end(), std::size_t{0});
   }
 
-  // A slot is used again behind the chunk that reads it last. Between threads that is only known where a stage ends;
-  // but what no other part reads is the part's own.
+  // Reuses a slot behind the chunk that reads it last; across threads, behind the stage of that chunk. A value that
+  // only its own part reads has a slot private to the part.
   void assign_slots(Chunks &chunks) {
-    std::vector<std::uint32_t> free, own, of_stage; // for this part: left by earlier stages, and by itself
+    std::vector<std::uint32_t> free, own, of_stage; // free in this part: from earlier stages, and from itself
     std::vector<std::vector<std::uint32_t>> dies_after(chunks.size() + 1), dies_in_part(chunks.size() + 1);
     for (std::size_t chunk = 0; chunk < chunks.size(); ++chunk) {
       for (std::size_t statement = chunks.begin[chunk]; statement < chunks.begin[chunk + 1]; ++statement) {
         NodeId id = body_.variables[statement];
         if (last_reader_[id] <= chunk) continue;
-        if (is_call_node(plan_, body_, id)) { // its results stand side by side
+        if (is_call_node(plan_, body_, id)) { // its results are contiguous
           Graph const &graph = *plan_.graph;
           chunks.spill_slot[id] = static_cast<std::uint32_t>(chunks.spill_count);
           chunks.spill_count += graph.externals[function_of(graph, graph.nodes[id])].result_count();
@@ -134,7 +134,7 @@ private:
             last_reader_[id] < chunks.size() && part_of(chunks, last_reader_[id]) == part_of(chunks, chunk);
         (stays ? dies_in_part : dies_after)[last_reader_[id]].push_back(chunks.spill_slot[id]);
       }
-      if (chunk == chunks.stores.first_chunk) { // a slot that is read here has been read, but perhaps not by a store
+      if (chunk == chunks.stores.first_chunk) { // its stores may still read slots that die here
         for (NodeId const id : chunks.stores.copied) {
           chunks.copy_slot[id] = take(own.empty() ? free : own, chunks);
           dies_in_part[last_array_reader_[id]].push_back(chunks.copy_slot[id]);
@@ -169,8 +169,8 @@ private:
   FunctionBody const &body_;
   bool in_compute_;
   ChunkLimits const &limits_;
-  std::vector<std::uint32_t> chunk_;             // per node that is a variable, and gate: where it is set
-  std::vector<std::uint32_t> last_reader_;       // and the last chunk that reads it
+  std::vector<std::uint32_t> chunk_;             // per variable and gate: the chunk that sets it
+  std::vector<std::uint32_t> last_reader_;       // per variable and gate: the last chunk that reads it
   std::vector<std::uint32_t> last_array_reader_; // the last chunk that reads the node's element of an array
 };
 

@@ -1,7 +1,7 @@
-// A long function body cut into pieces that compilers can digest.
+// Chunks: a long function body cut into pieces of bounded size.
 //
-// C compilers take more than linear time on one huge function: at 20 000 statements one function cost gcc four times
-// what pieces of 300 did. Values that live inside one piece stay local; those that cross go through an array.
+// C compilers take superlinear time on a huge function: one of 20 000 statements cost gcc four times as much as pieces
+// of 300. A value used in one chunk only stays local; one that crosses chunks is spilled to an array.
 #pragma once
 
 #include "engine/plan/schedule/schedule.h"
@@ -11,17 +11,17 @@ namespace symreal {
 
 struct Chunks {
   std::vector<std::size_t> begin = {};        // first statement of each chunk, and the end of the last
-  std::vector<std::uint32_t> spill_slot = {}; // per node: where it is kept for later chunks, or no_slot
-  std::vector<std::uint32_t> copy_slot = {};  // and what is found in an array: where its copy is
-  std::size_t spill_count = 0;                // size of the array; slots are used again when their value is dead
-  std::vector<std::size_t> part = {};         // per chunk, of the body's parts; none where it has none
+  std::vector<std::uint32_t> spill_slot = {}; // per node: slot that holds it for later chunks, or no_slot
+  std::vector<std::uint32_t> copy_slot = {};  // per node read from an array: slot of its copy
+  std::size_t spill_count = 0;                // size of the array; the slot of a dead value is reused
+  std::vector<std::size_t> part = {};         // per chunk: its part of the body; empty if the body has no parts
   Stores stores = {};
 
-  std::vector<std::uint32_t> statement = {}; // per node: that sets its variable, or no_slot
+  std::vector<std::uint32_t> statement = {}; // per node: the statement that sets its variable, or no_slot
 
   std::size_t size() const { return begin.size() - 1; }
   bool has_parts() const { return !part.empty(); }
-  // Where a check belongs: with the statements before it, whose variables it can read; behind all parts.
+  // Chunk of a check: that of the statements before it, whose variables it can read; behind all parts.
   std::size_t of_check(Check const &check) const;
 };
 
@@ -30,8 +30,8 @@ struct ChunkLimits {
   bool may_store; // chunks may store results
 };
 
-// No chunk has more than so many statements, or statements of two parts, or stores more than so many results. Parts of
-// one stage share no slot.
+// Cuts the body. A chunk respects `limits`, for its statements and its stored results, and has statements of one part
+// only. Parts of one stage share no slot.
 Chunks cut(Schedule const &plan, FunctionBody const &body, bool in_compute, ChunkLimits const &limits);
 
 } // namespace symreal

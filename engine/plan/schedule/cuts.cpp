@@ -56,7 +56,7 @@ std::size_t Cuts::best_end(std::size_t begin, std::size_t most_statements) {
   for (std::size_t k = begin; k < begin + most_statements; ++k) {
     for (std::uint32_t const read : reads_[k])
       if (read < begin && std::exchange(loaded_by_[read], chunk) != chunk) ++loaded;
-    ++stored; // whether or not somebody reads it
+    ++stored; // whether or not it is read
     for (std::uint32_t const dying : dying_[k])
       if (dying >= begin) --stored;
     std::size_t const length = k + 1 - begin, cost = loaded + stored;

@@ -60,7 +60,7 @@ private:
     return all;
   }
 
-  // At one place they keep their order, and what stays there is the last.
+  // Moves the statements; at one place, moved ones keep their order and precede the one that stays.
   void move() {
     std::vector<NodeId> const old = body_.variables;
     std::vector<std::size_t> begin(old.size() + 1, 0);
@@ -74,9 +74,9 @@ private:
   FunctionBody &body_;
   std::vector<std::size_t> statement_; // per node
   std::vector<char> stays_;
-  std::vector<std::size_t> first_place_; // per statement: that of the first reader
-  std::vector<std::size_t> place_;       // the statement that it now stands before, or itself
-  std::vector<std::size_t> lives_to_;    // the last place that reads it, as far as is known
+  std::vector<std::size_t> first_place_; // per statement: place of the first reader
+  std::vector<std::size_t> place_;       // the statement that it moves in front of, or itself
+  std::vector<std::size_t> lives_to_;    // the last known place of a reader
 };
 
 } // namespace

@@ -1,13 +1,13 @@
-// Values of a long function that wait for nobody are computed where they are first read.
+// Sinking of statements: values of a long function are computed just before their first reader.
 #pragma once
 
 #include "engine/plan/schedule/schedule.h"
 
 namespace symreal {
 
-// A statement moves down to the first that reads it, if what it reads itself lives that long anyway: then fewer values
-// live at any point, and fewer cross from chunk to chunk. Statements in blocks and what conditions read stay.
-// `is_read`: nodes that are found in an array. Linear.
+// Moves a statement down to its first reader if the operands live that long anyway: then fewer values are live at any
+// point, and fewer cross chunks. Statements in blocks and those that conditions read stay. `is_read`: nodes that are
+// read from arrays. Linear time.
 void delay(Graph const &graph, std::vector<char> const &is_read, std::vector<NodeId> const &conditions,
            FunctionBody &body);
 

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t registers = 16;       // for numbers: x86-64 with SSE and AVX; AArch64 has 32
 constexpr std::size_t longest = 200'000;    // the lists of a longer body would take as much memory as its graph
-constexpr double least_library_cost = 10.0; // what costs less compiles to instructions
+constexpr double least_library_cost = 10.0; // cheaper operations compile to instructions
 
 class ListScheduling {
 public:
@@ -43,8 +43,8 @@ public:
     }
   }
 
-  // What an order costs beyond its operations: where it will be cut into parts, the values that live from part to part,
-  // about; else, over all points, the values that live there and find no register.
+  // Cost of an order beyond its operations: if it will be cut into parts, about the number of values that live from
+  // part to part; else the number of spilled values, summed over all points.
   std::size_t cost(std::vector<NodeId> const &order) const {
     std::vector<std::size_t> place(count_), unread(count_);
     for (std::size_t k = 0; k < count_; ++k) place[statement_[order[k]]] = k;
@@ -84,12 +84,12 @@ public:
 private:
   using Statement = std::uint32_t;
   static constexpr Statement nowhere = ~Statement{0};
-  // The largest comes first; of equals the one that was recorded first.
+  // Heap keys: the largest comes first, with ties in recording order.
   using ByHeight = std::tuple<double, std::uint32_t, std::uint32_t>; // height, dying, - place
   using ByDeaths = std::tuple<std::uint32_t, double, std::uint32_t>; // dying, height, - place
   using ByOperand = std::tuple<std::uint32_t, std::uint32_t>;        // - operand, - place
 
-  // The statements that it reads, each once; its own time; whether it calls the library.
+  // Finds the statements that it reads, each once; its latency; and its library call.
   void read_expression(Statement k) {
     NodeId const root = body_.variables[k];
     double latency = 0;
@@ -117,7 +117,7 @@ private:
     reads_.end_row();
   }
 
-  // Of what is read once more only, that reader is the last.
+  // Counts for a value with one unread reader that this reader ends its live range.
   void note_last_reads(Statement k) {
     if (unread_[k] != 1) return;
     for (Statement const reader : readers_[k]) {
@@ -142,7 +142,7 @@ private:
     }
     return live_ > registers ? take_from(by_deaths_) : take_from(by_height_);
   }
-  // Entries of what was placed meanwhile are left behind; older ones of a statement are smaller than its newest.
+  // Skips entries of placed statements, and thereby stale ones: those of a statement are smaller than its newest.
   template <class Heap> Statement take_from(Heap &heap) {
     while (true) {
       Statement const k = ~std::get<2>(heap.top());
@@ -166,13 +166,13 @@ private:
   std::vector<char> const &is_read_;
   FunctionBody &body_;
   std::size_t count_;
-  std::vector<Statement> statement_;     // per node: that sets its variable
+  std::vector<Statement> statement_;     // per node: the statement that sets its variable
   Rows reads_, readers_;                 // per statement
-  std::vector<std::uint32_t> unread_;    // per statement: readers that are not placed
-  std::vector<std::uint32_t> waits_for_; // statements that it reads and that are not placed
-  std::vector<std::uint32_t> dies_;      // what it is the last to read
+  std::vector<std::uint32_t> unread_;    // per statement: unplaced readers
+  std::vector<std::uint32_t> waits_for_; // unplaced statements that it reads
+  std::vector<std::uint32_t> dies_;      // live ranges that it ends
   std::vector<double> height_;           // the longest path from its operands to a result
-  std::vector<NodeId> call_of_;          // the operand of its call of the library
+  std::vector<NodeId> call_of_;          // operand of its library call
   std::vector<char> placed_;
   std::size_t live_ = 0;
   std::priority_queue<ByHeight> by_height_;
@@ -188,7 +188,7 @@ void schedule_for_registers(Graph const &graph, std::vector<char> const &is_read
   std::size_t const cost = scheduling.cost(body.variables);
   if (cost == 0) return;
   std::vector<NodeId> order = scheduling.run();
-  // The order of recording reads along the input and stores along the output, which counts for a tenth in long bodies.
+  // Recording order accesses inputs and outputs sequentially, which is worth a tenth in long bodies.
   std::size_t const limit = body.variables.size() > usual_part_length ? cost - cost / 10 : cost;
   if (scheduling.cost(order) < limit) body.variables = std::move(order);
 }

@@ -1,17 +1,17 @@
-// Numbers of values: two values have one number if they are the same operation of values with the same numbers.
+// Value numbering: two values have one number if they are the same operation on operands with the same numbers.
 //
-// Known besides is only what is exact in floating point: that sums and products commute, x - y is x + (-y), and signs
-// go through products and quotients. So what has one number is the same, bit by bit, any NaN taken for any other. Where
-// zeros have no sign, signs go through sums as well, sums of opposites are 0, and so are products with 0.
+// Besides, only identities that are exact in floating point count: sums and products commute, x - y is x + (-y), and
+// signs move through products and quotients. Values with one number are thus bitwise equal, except that any NaN equals
+// any other. Where zeros have no sign, signs also move through sums, and sums of opposites and products with 0 are 0.
 //
-// Method: the numbers are those of the nodes of a hash consed graph that holds each value in one form.
+// Method: numbers are the nodes of a hash-consed graph that holds each value in one canonical form.
 #pragma once
 
 #include "engine/graph/node_table.h"
 
 namespace symreal {
 
-// The number of a value and whether its sign is the other one.
+// The number of a value, and whether the value is its negative.
 struct NumberedValue {
   NodeId number = no_node;
   bool negated = false;
@@ -26,9 +26,9 @@ public:
   explicit Numbering(bool zeros_have_signs = true);
 
   NumberedValue constant(double value);
-  // Of an element of an array.
+  // Number of an array element.
   NumberedValue element(std::uint32_t array, std::size_t index);
-  // Known if its operands are.
+  // Number of an operation; unknown if an operand is.
   NumberedValue operation(Op op, std::array<NumberedValue, 3> operands);
 
 private:

@@ -27,7 +27,7 @@ public:
 private:
   enum class State : char { nested, waiting, open, done };
 
-  // Depth first, with a stack of its own.
+  // Depth-first search with an explicit stack.
   void visit(NodeId root) {
     stack_.assign(1, root);
     while (!stack_.empty()) {
@@ -45,7 +45,7 @@ private:
     }
   }
 
-  // The statements that are open wait for each other, by a gate of alternatives: from here on without the newest such.
+  // Open statements form a cycle through a gate of alternatives: releases the newest such gate and restarts.
   void begin_again(NodeId root) {
     bool released = false;
     for (; !stack_.empty(); stack_.pop_back()) {
@@ -56,7 +56,7 @@ private:
       released = released || is_choice(id);
     }
     internal_check(released);
-    if (++cycles_ == most_cycles) // what is left of them costs more than it saves
+    if (++cycles_ == most_cycles) // more cycles cost more than their gates save
       for (std::size_t id = graph_.nodes.size(); id < state_.size(); ++id)
         if (state_[id] == State::waiting && is_choice(static_cast<NodeId>(id)))
           placement_.regions.release(static_cast<NodeId>(id));
@@ -71,7 +71,7 @@ private:
     return placement_.regions.is_gate(id) ? placement_.regions.of_gate(id) : placement_.of_node[id];
   }
 
-  // The oldest on top. False when one of them is open already.
+  // Pushes the operands, the oldest on top; false if one of them is open.
   bool push_needed(NodeId id) {
     Regions const &regions = placement_.regions;
     std::size_t const first = stack_.size();

@@ -1,4 +1,4 @@
-// Functions whose statements several threads share.
+// Functions whose statements are distributed over several threads.
 #pragma once
 
 #include "engine/plan/schedule/schedule.h"
@@ -7,22 +7,22 @@ namespace symreal {
 
 inline constexpr unsigned most_threads = 64;
 
-// Calls `visit` with the variables that must be set before a statement begins: those that it reads, the conditions of
-// the blocks around it, and the call before it where calls have an order.
+// Calls `visit` with the variables that must precede a statement: its operands, the conditions of the blocks around it,
+// and the preceding call if calls are ordered.
 template <class IsVariable, class Visit> void for_each_before(Schedule const &plan, FunctionBody const &body,
                                                               std::size_t statement, IsVariable const &is_variable,
                                                               Visit const &visit);
 
-// Whether a part reads what another part of its stage computes. All parts before it have been asked.
+// Whether a part reads a value that an earlier part of its stage computes. To find all conflicts, ask for every part.
 bool waits_for_other_parts(Schedule const &plan, FunctionBody const &body, std::size_t part);
 
-// What a thread does of compute, and when.
+// Stage and thread that execute a statement of compute.
 struct Share {
   std::uint32_t stage = 0, thread = 0;
 };
 
-// The statements of compute in the order of their stages and threads, otherwise as they were. `shares`: per statement.
-// Nothing stands before what it needs.
+// Sorts the statements of compute by stage and thread, stably. `shares`: per statement. No statement may
+// precede its operands in that order.
 Schedule shared_out(Schedule const &plan, std::vector<Share> const &shares, unsigned threads);
 
 } // namespace symreal

@@ -61,8 +61,8 @@ bool Regions::contains(RegionId whole, RegionId part) const {
   return std::includes(x.begin(), x.end(), y.begin(), y.end());
 }
 
-// A gate that only one of them has may stand for literals of the other. The youngest first: what a gate stands for has
-// only older gates, so both come down to those that they share.
+// Replaces gates of long regions that only one set has by their literals. The youngest comes first: a gate's literals
+// contain only older gates, so both sets come down to shared ones.
 void Regions::open_gates(std::vector<Code> &x, std::vector<Code> &y) const {
   auto youngest = [&](std::vector<Code> const &set, std::vector<Code> const &other) {
     for (std::size_t k = set.size(); k-- > 0 && is_gate(set[k] / 2);)
@@ -105,7 +105,7 @@ RegionId Regions::make_gate(RegionId around, Gate gate) {
   return with(around, literal);
 }
 
-// Where c holds and where it does not: together that is where the rest holds.
+// Whether the regions differ in the outcome of one condition only: their union is then the common rest.
 bool Regions::differ_in_one_outcome(RegionId a, RegionId b, std::vector<Code> &common) const {
   if (entries_[a].size != entries_[b].size) return false;
   std::vector<Code> const x = codes(a), y = codes(b);
@@ -156,7 +156,7 @@ namespace {
 
 constexpr RegionId unknown = ~RegionId{0};
 
-// A negation is no condition of its own, so that c and !c make one if and else.
+// Literal of a condition, without negations, so that c and !c become one if and else.
 Literal literal(Graph const &graph, std::vector<char> const &is_read, NodeId condition, bool holds) {
   while (graph.nodes[condition].op == Op::logical_not && !is_read[condition]) {
     condition = graph.nodes[condition].operand[0];
@@ -173,7 +173,7 @@ bool has_conditions(Graph const &graph, std::vector<char> const &is_needed) {
   return false;
 }
 
-// From users to operands. A node that is used in different regions has the list of them.
+// Propagates regions from users to operands. `uses` lists the regions of nodes with several.
 void find_needs(Graph const &graph, std::vector<NodeId> const &roots, std::vector<char> const &is_needed,
                 std::vector<char> const &is_read, Placement &placement) {
   Regions &regions = placement.regions;
@@ -212,7 +212,7 @@ void find_needs(Graph const &graph, std::vector<NodeId> const &roots, std::vecto
   }
 }
 
-// From operands to users.
+// Hoists quiet operations, from operands to users.
 void move_quiet_ones_out(Graph const &graph, std::vector<char> const &is_needed, Placement &placement) {
   Regions &regions = placement.regions;
   for (std::size_t id = 0; id < graph.nodes.size(); ++id) {

@@ -1,14 +1,13 @@
-// Under which conditions alone a node is needed.
+// Regions: the conditions under which a node is needed.
 //
-// An arm of a select is needed only where the condition holds, or does not; the second operand of && and || only where
-// the first does not settle them. A region is a set of such literals: of one use of a node, or what all its uses have
-// in common. Where one of them does not hold the node need not be computed, and must not: it might divide by zero.
+// An arm of a select is needed only if the condition selects it; the second operand of && and || only if the first
+// leaves the value open. A region is a set of such literals: of one use of a node, or the intersection over all its
+// uses. If a literal does not hold, the node need not be computed, and must not be: it might divide by zero.
 //
-// For each literal of a region the condition's own region is part of that region, so a condition is known wherever the
-// literals around it hold. Regions are hash consed: equal ones have one id. Gates are truth values made for two
-// reasons:
-//   - a region grows long: 1 where all its literals hold, so that blocks nest only so deep and work stays linear
-//   - a node is needed here or there: 1 where one of the regions of its uses is
+// A region includes the region of each of its conditions, so a condition is known wherever the literals around it hold.
+// Regions are hash-consed: equal ones have one id. Gates are truth values that replace:
+//   - a long region: 1 where all its literals hold, so that the depth of blocks is bounded and work stays linear
+//   - alternatives, for a node with uses in different regions: 1 where one of these regions holds
 #pragma once
 
 #include "engine/graph/graph.h"
@@ -27,7 +26,7 @@ struct Literal {
 };
 
 using RegionId = std::uint32_t;
-inline constexpr RegionId everywhere = 0; // no literals
+inline constexpr RegionId everywhere = 0; // the empty set
 
 class Regions {
 public:
@@ -36,29 +35,29 @@ public:
   RegionId with(RegionId region, Literal literal);
   RegionId intersection(RegionId a, RegionId b);
   RegionId united(RegionId a, RegionId b);
-  // Whether every literal of `part` is one of `whole`.
+  // Whether the literals of `whole` include those of `part`.
   bool contains(RegionId whole, RegionId part) const;
-  // The region, or that of its gate where it has become long.
+  // The region itself; the region of its gate if it is too long.
   RegionId shortened(RegionId region);
-  // Adds a region to those of a node's uses, and leaves out what others cover.
+  // Adds a region to those of a node's uses and removes covered ones.
   void add_use(std::vector<RegionId> &uses, RegionId region);
-  // Where one of the uses is. `common`: what they have in common.
+  // Region in which at least one use is. `common`: intersection of the uses.
   RegionId either(RegionId common, std::vector<RegionId> const &uses);
 
-  // The outermost first: in blocks nested like this neighbours have most in common.
+  // Literals with the outermost first, in the order in which neighbours share the most blocks.
   std::vector<Literal> literals(RegionId region) const;
   bool is_gate(NodeId condition) const { return condition >= node_count_; }
-  // Where a gate is computed; that of a long region is 1 there.
+  // Region in which a gate is computed; the gate of a long region is 1 throughout.
   RegionId of_gate(NodeId gate) const { return gate_at(gate).region; }
-  // Of these one must hold for the gate to be 1; none for the gate of a long region.
+  // Regions one of which must hold for the gate to be 1; empty for the gate of a long region.
   std::vector<RegionId> const &alternatives(NodeId gate) const { return gate_at(gate).alternatives; }
-  // From now on a gate of alternatives counts as 1 and is no literal of any region.
+  // Releases a gate of alternatives: it then counts as 1 and is dropped from all regions.
   void release(NodeId gate) { gates_[gate - node_count_].released = true; }
-  // Nodes and gates together.
+  // Number of nodes and gates.
   std::size_t value_count() const { return node_count_ + gates_.size(); }
 
 private:
-  // A set in ascending order is its last element after the set of the others.
+  // An entry extends the set `before` by the greatest code `last`.
   using Code = std::uint32_t; // of a literal: twice the condition, plus one if it holds
   struct Entry {
     RegionId before = everywhere;
@@ -86,19 +85,19 @@ private:
   std::vector<Gate> gates_;
   std::unordered_map<RegionId, RegionId> gate_region_;
   std::map<std::vector<RegionId>, RegionId> alternatives_region_;
-  std::unordered_map<NodeId, std::uint32_t> depth_; // of a condition: how many literals stand around it at least
+  std::unordered_map<NodeId, std::uint32_t> depth_; // of a condition: a lower bound on the number of literals around it
 };
 
-// Where the nodes of a function are computed.
+// The region of each node of a function.
 struct Placement {
   Regions regions;
   std::vector<RegionId> of_node;
 
-  bool conditional() const { return !of_node.empty(); } // otherwise every node is computed everywhere
+  bool conditional() const { return !of_node.empty(); } // false: every node is computed everywhere
 };
 
-// `is_needed`: the nodes of the function; `is_read`: those that it finds in an array. Cheap operations that raise no
-// floating-point exception (flag QUIET) may be placed further out than they are needed.
+// `is_needed`: nodes of the function; `is_read`: those that it reads from arrays. Cheap operations that raise no
+// floating-point exception (flag QUIET) may be hoisted out of their region.
 Placement place(Graph const &graph, std::vector<NodeId> const &roots, std::vector<char> const &is_needed,
                 std::vector<char> const &is_read);
 

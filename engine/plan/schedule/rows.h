@@ -1,4 +1,4 @@
-// Numbers of statements in rows, a row for each statement, side by side in one array.
+// Rows of statement numbers, one row per statement, contiguous in one array (compressed sparse rows).
 #pragma once
 
 #include <cstddef>
@@ -19,7 +19,7 @@ struct Rows {
   void end_row() { first.push_back(all.size()); }
 };
 
-// Row k has, in ascending order, the rows that have k.
+// Transpose: row k lists, in ascending order, the rows that contain k.
 inline Rows transposed(Rows const &rows) {
   Rows result{std::vector<std::size_t>(rows.size() + 1, 0), std::vector<std::uint32_t>(rows.all.size())};
   for (std::uint32_t const k : rows.all) ++result.first[k + 1];

@@ -12,7 +12,7 @@ namespace symreal {
 
 namespace {
 
-// Expressions nest only so far: deeper ones are hard to read, and compilers bound what they parse.
+// Limits of nesting: deeper expressions are hard to read, and compilers bound what they parse.
 constexpr unsigned most_nested_operations = 12, most_nested_depth = 6;
 
 struct Reach {
@@ -20,7 +20,7 @@ struct Reach {
   std::vector<std::uint32_t> uses;
 };
 
-// What the roots need. The walk stops at nodes that are read from `constants`.
+// Needed nodes and use counts. The walk stops at nodes that are read from `constants`.
 Reach reach(Graph const &graph, std::vector<NodeId> const &roots, std::vector<std::uint32_t> const *constant_slot) {
   Reach result{std::vector<char>(graph.nodes.size(), 0), std::vector<std::uint32_t>(graph.nodes.size(), 0)};
   for (NodeId root : roots) {
@@ -34,7 +34,7 @@ Reach reach(Graph const &graph, std::vector<NodeId> const &roots, std::vector<st
     for (NodeId operand : node.operand) {
       if (operand == no_node) continue;
       result.needed[operand] = 1;
-      // What a list of arguments holds is written down wherever the list is used.
+      // The operands of an argument list are printed at every use of the list.
       result.uses[operand] += node.op == Op::argument ? result.uses[id] : 1;
     }
   }
@@ -57,11 +57,11 @@ public:
     for (std::size_t id = 0; id < graph.nodes.size(); ++id)
       is_read_[id] = is_leaf(graph.nodes[id].op) || is_literal(graph.nodes[id]) ||
                      (constant_slot && (*constant_slot)[id] != no_slot);
-    // All inputs are read before an output is written, since the arrays may overlap; so what an output holds must be in
-    // a variable by then, or in the array of a call.
+    // Arrays may overlap, so all inputs are read before an output is written: an output needs a variable, or the array
+    // of a call.
     for (NodeId result : results)
       if (!graph.nodes[result].is_constant() && graph.nodes[result].op != Op::returned) has_variable_[result] = 1;
-    // gcc 12 takes 0.0 - fabs(x) for -fabs(x), which is -0 where the difference is +0, if one expression has both.
+    // gcc 12 misfolds 0.0 - fabs(x) to -fabs(x), which is -0 where the difference is +0, if one expression has both.
     for (Node const &node : graph.nodes)
       if (node.op == Op::sub && is_zero(graph.nodes[node.operand[0]]) && !is_read_[node.operand[1]])
         has_variable_[node.operand[1]] = 1;
@@ -94,17 +94,17 @@ private:
 
   static bool is_zero(Node const &node) { return node.is_constant() && node.value() == 0; }
 
-  // An integer of 64 bits that is a constant.
+  // Whether the node is a constant 64-bit integer.
   bool is_literal(Node const &node) const { return node.op == Op::wide && node.attribute == Attribute::constant; }
 
-  // What is used more than once, is too large to nest, or has been given one.
+  // Nodes that are used more than once, are too large to nest, or already have a variable.
   std::vector<NodeId> choose_variables() const {
     std::vector<std::uint8_t> operations(graph_.nodes.size(), 0), depth(graph_.nodes.size(), 0); // of nested ones
     std::vector<NodeId> variables;
     for (std::size_t id = 0; id < graph_.nodes.size(); ++id) {
       if (!needs_.needed[id]) continue;
       Op const op = graph_.nodes[id].op;
-      // A call is a statement, its list a part of it, and its results stand in an array.
+      // A call is a statement; its argument list is part of it, and its results are in an array.
       bool const in_array = op == Op::returned && !is_read_[id] && !has_variable_[id] && nesting_ == Nesting::bounded;
       if (op == Op::argument || in_array) continue;
       unsigned size = 1, height = 0;
@@ -137,7 +137,7 @@ private:
     return calls;
   }
 
-  // A block asks for its condition before anything in it is computed.
+  // Assigns variables to conditions, which are computed before their blocks.
   void give_variables_to_conditions(Placement const &placement, std::vector<NodeId> const &variables) {
     Regions const &regions = placement.regions;
     std::vector<RegionId> regions_to_see;
@@ -163,7 +163,7 @@ private:
   }
 
   void place_checks(FunctionBody &body) const {
-    std::vector<std::size_t> after(body.regions.value_count(), 0); // the statement that sets a variable, from 1
+    std::vector<std::size_t> after(body.regions.value_count(), 0); // per variable: its statement, from 1
     for (std::size_t k = 0; k < body.variables.size(); ++k) after[body.variables[k]] = k + 1;
     std::size_t before = 0;
     for (NodeId condition : conditions_) {
@@ -207,7 +207,7 @@ Schedule schedule(Graph const &graph, Nesting nesting, Arms arms) {
   for (Guard const &guard : graph.guards) conditions.push_back(guard.condition);
   roots.insert(roots.end(), conditions.begin(), conditions.end());
   if (graph.last_effect != no_node) roots.push_back(graph.last_effect);
-  // Without pass preprocess `compute` still sees no parameters: those that it needs are handed through `constants`.
+  // Without pass preprocess, compute still has no parameters: those that it needs go through `constants`.
   Reach const needs = reach(graph, roots, &constant_slot);
   for (std::size_t id = 0; id < graph.nodes.size(); ++id)
     if (needs.needed[id] && graph.nodes[id].op == Op::parameter && constant_slot[id] == no_slot) {

@@ -11,7 +11,7 @@ namespace symreal {
 
 static constexpr std::string_view schedule_head = "symreal-schedule", functions_begin = "\nfunction ";
 
-// Where the first line is that is no comment and not empty.
+// Position of the first line other than comments and empty lines.
 static std::size_t head_of(std::string_view text) {
   std::size_t at = 0;
   while (at < text.size() && (text[at] == ';' || text[at] == '\n'))
@@ -178,7 +178,7 @@ private:
     if (!is_leaf(op) && info(op).has(flag::STRUCTURE | flag::WIDE)) line.error("this is no number");
   }
 
-  // The nodes that may stand behind `set`.
+  // Checks that the node may follow `set`.
   void require_statement(Line const &line, NodeId id) {
     if (graph_->nodes[id].op == Op::argument) line.error("a list of arguments is part of its call");
     if (is_nested_[id]) line.error("a statement above has computed this for itself: set it before that");
@@ -199,10 +199,10 @@ private:
     return region;
   }
 
-  // %4, ?0, or a constant of the graph.
+  // Parses %4, ?0, or a constant of the graph.
   NodeId value(Line &line, std::string const &word) {
     if (word[0] == '%' || word[0] == '?') {
-      bool const is_gate = word[0] == '?'; // which may be to come
+      bool const is_gate = word[0] == '?'; // possibly a gate set later
       std::optional<NodeId> const number = parse_natural(std::string_view(word).substr(1));
       std::size_t const count = is_gate ? no_node - body_->regions.node_count : nodes_.size();
       if (!number || *number >= count) line.error("'" + word + "' is no node of the graph");
@@ -216,7 +216,7 @@ private:
     return static_cast<NodeId>(found - graph_->nodes.begin());
   }
 
-  // What a use needs must stand above: gates and calls, which are no expressions.
+  // Checks that all variables of a use are set above, and all calls: a call cannot be nested.
   void require_set(Line &line, NodeId use) {
     Schedule const &plan = plan_of_body();
     bool const in_compute = body_ == &plan_.compute;
@@ -240,14 +240,14 @@ private:
         [](NodeId) {});
   }
 
-  // Of a call that is set above: whether it keeps this one of its results.
+  // Checks that a call set above keeps this result.
   void require_returned(Line const &line, Node const &node) const {
     NodeId const call = node.operand[0];
     if (result_of(*graph_, node) < returned_count(call) && !body_->wanted_returns.contains(call))
       line.error("the call that this needs does not say 'returned'");
   }
 
-  // The outputs are stored at the end, when all that they need from inputs has been read.
+  // Checks the outputs, which are stored at the end, after all reads of inputs.
   void require_results(Line &line) {
     Schedule const &plan = plan_of_body();
     for (std::size_t slot = 0; slot < graph_->results.size(); ++slot) {
@@ -260,7 +260,7 @@ private:
     if (graph_->last_effect != no_node && !is_set_[graph_->last_effect]) line.error("the last effect is not set");
   }
 
-  // Of which the order of statements asks for the graph and the slots.
+  // The schedule, with the graph and slots that the statement order requires.
   Schedule const &plan_of_body() {
     plan_.graph = graph_.get();
     if (plan_.constant_slot.empty()) plan_.constant_slot.assign(graph_->nodes.size(), no_slot);
@@ -276,7 +276,7 @@ private:
   std::unique_ptr<Graph> graph_;
   Schedule plan_{};
   FunctionBody *body_ = nullptr;
-  std::vector<NodeId> nodes_;        // behind %k
+  std::vector<NodeId> nodes_;        // node of each %k
   std::vector<char> is_set_, gates_; // by a statement above, in this function
   std::vector<char> is_nested_;      // in a statement above
 };

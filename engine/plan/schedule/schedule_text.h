@@ -1,4 +1,4 @@
-// The text form of a schedule, from which emitters are tested.
+// Text form of a schedule, which the tests of emitters use.
 //
 //   symreal-schedule 1
 //   kernel "k"                       the lines of the graph (graph_text.h), without its first
@@ -11,9 +11,9 @@
 //   region 2                         everywhere: its conditions were released
 //   gate 0 any 1 2                   1 where one of these regions is; without `any`: 1 where it is computed
 //   set %4
-//   set ?0 in 1                      a gate; in region 1 alone
+//   set ?0 in 1                      a gate; computed in region 1 only
 //   set %9 returned                  a call whose returned value is read
-//   part 0 of 2 threads              of stage 0: what stands above, up to the part before, is computed by one thread
+//   part 0 of 2 threads              of stage 0: one thread computes the statements above, back to the part before
 //   check 0                          of guard 0
 //
 // The results of compute are those of the graph.
@@ -32,12 +32,12 @@ void write_schedule(std::ostream &out, Schedule const &plan);
 
 bool is_schedule(std::string_view text);
 
-// With the graph that the schedule points to.
+// A schedule and the graph that it points to.
 struct ReadSchedule {
   std::unique_ptr<Graph> graph;
   Schedule plan;
 };
-// Throws graph_syntax with the place of the first line that does not fit.
+// Throws graph_syntax at the first invalid line.
 ReadSchedule read_schedule(std::string_view text, std::string const &file_name);
 
 } // namespace symreal

@@ -44,20 +44,20 @@ private:
     return reads_.last_array_reader[id] != ChunkReads::never && reads_.last_array_reader[id] > chunk;
   }
 
-  // The variable whose value a result is; of a call's result, that of the call.
+  // Variable that holds a result: for a result of a call, the call.
   NodeId variable(std::size_t result) const {
     NodeId const id = body_.results[result];
     bool const is_returned = graph_.nodes[id].op == Op::returned && reads_.set_in[id] == ChunkReads::never;
     return is_returned ? graph_.nodes[id].operand[0] : id;
   }
-  // A constant is at once.
+  // Chunk in which a result is ready; 0 for a constant.
   std::size_t ready_in(std::size_t result) const {
     std::uint32_t const chunk = reads_.set_in[variable(result)];
     return chunk == ChunkReads::never ? 0 : chunk;
   }
 
   std::size_t first_chunk() const {
-    // By chunk: what waits if it is the first, as differences.
+    // Differences, by chunk, of the number of values that wait if that chunk stores first.
     std::vector<std::ptrdiff_t> more(reads_.chunk_count + 1, 0);
     std::vector<char> counted(reads_.set_in.size(), 0);
     for (std::size_t result = 0; result < body_.results.size(); ++result) {

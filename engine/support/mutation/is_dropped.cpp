@@ -7,7 +7,7 @@
 
 namespace symreal {
 
-// Rules that are neither a diagnostic nor known to the rewriter by another name.
+// Rules without a diagnostic and without another name in the rewriter.
 static constexpr std::string_view rules[] = {
     "baked",            // a wrapper compares what the recording has baked in
     "beyond_guards",    // a static integer that another path may read is state
@@ -21,7 +21,7 @@ static constexpr std::string_view rules[] = {
     "memory",           // what code that was not rewritten leaves in memory
     "overlaps",         // and how its arguments lie
     "torn",             // numbers of which a part was overwritten
-// and the functions whose results come from outside of the program
+// functions whose results come from outside the program
 #define OUTSIDE(result, symbol, ...) #symbol,
 #include "engine/support/outside.def"
 #undef OUTSIDE

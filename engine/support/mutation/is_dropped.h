@@ -8,7 +8,7 @@ namespace symreal {
 
 #ifdef SYMREAL_MUTATION
 bool is_dropped(std::string_view rule);
-// Is it the name of a rule that asks?
+// Whether a rule of this name asks is_dropped.
 bool asks_by_name(std::string_view rule);
 #else
 static constexpr bool is_dropped(std::string_view) { return false; }

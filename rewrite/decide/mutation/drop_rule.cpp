@@ -98,7 +98,7 @@ std::set<Use> uses_of(std::string_view rule) {
 
 } // namespace
 
-// A rule is also an id such as SYM035: what the reading of the sources reports under it.
+// A rule is also an id such as SYM035: the diagnostics with this id from the reading of the sources.
 void drop_rule(Facts &facts) {
   char const *const name = std::getenv("SYMREAL_DROP_RULE");
   if (!name || !*name) return;

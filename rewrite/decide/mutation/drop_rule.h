@@ -1,4 +1,4 @@
-// For the mutation test (tests/mutation): a build with SYMREAL_MUTATION leaves out the rule of SYMREAL_DROP_RULE.
+// Switch of the mutation test (tests/mutation): SYMREAL_MUTATION builds leave out the rule in SYMREAL_DROP_RULE.
 #pragma once
 
 #include "rewrite/facts/facts.h"

@@ -69,7 +69,7 @@ struct ExternalCall::State {
   std::vector<std::string> const *sizes;
   void const *caller;
   std::size_t parameter = 0;    // the next
-  std::vector<double> integers; // per parameter; 0 where it is none
+  std::vector<double> integers; // per parameter; 0 if not an integer
   std::vector<RealNumber> arguments;
   bool is_symbolic = false;
   struct Copy {

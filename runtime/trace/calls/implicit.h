@@ -16,7 +16,7 @@ public:
   void begin(std::string const &label, Place const &place);
   bool is_open() const { return is_open_; }
   void element(RealNumber *number);
-  // After the second object the unknowns are what the call gives.
+  // Ends the second object; the unknowns then hold the call's results.
   void end();
 
 private:

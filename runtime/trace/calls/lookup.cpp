@@ -30,8 +30,8 @@ std::size_t detail::declared_extent(void const *pointer) noexcept {
 
 namespace {
 
-// The index that the program uses now. One outside of the table is reported: the original has no meaning there. Where
-// the program's values do not lead it may be anything.
+// The index by the carried values. One outside of the table is reported: the original is undefined there. On a
+// hypothetical path it may be anything.
 std::size_t carried_index(char const *name, RealNumber index, std::size_t extent) {
   double const value = index.is_node() ? detail::needed_value(index) : index.plain();
   bool const is_inside = value > -1 && value < static_cast<double>(extent);
@@ -71,7 +71,7 @@ RealNumber const detail::look_up(TableName table, void const *elements, std::siz
   if (columns != 0) at = at * columns + carried_index(name, column, columns);
   Pool &pool = Pool::current();
   if (std::any_of(numbers, numbers + count, [](RealNumber number) { return number.is_node(); })) {
-    // Not a table of constants: which of its expressions is meant is decided.
+    // A table of expressions, not constants: the index is decided.
     if (row.is_node()) (void)convert_to_integer(row);
     if (columns != 0 && column.is_node()) (void)convert_to_integer(column);
     return numbers[at];

@@ -1,10 +1,10 @@
-// The processes that execute the ways from a decision, one each, and what they are told.
+// Processes that execute the arms of a decision, one each, and the commands that they receive.
 //
 //   created ──executes──▶ stands at a decision ──advance──▶ two processes, one for each outcome
 //                                 │  ▲
 //                                 └──┘ merge: it goes on for others that stand there, with other numbers
 //
-// The one in which all ways have come together goes on as the program.
+// The one in which all arms have come together goes on as the program.
 #pragma once
 
 #include "runtime/trace/decisions/arrival.h"
@@ -16,19 +16,19 @@
 
 namespace symreal::trace {
 
-// What all processes of a region share: who they are and where they listen.
+// State shared by all processes of a region: their ids and channels.
 class Arms {
 public:
   static constexpr int most = 1000;
-  static constexpr int usual = 16;   // that most regions come by with: channels cost more than what goes through them
+  static constexpr int usual = 16;   // enough for most regions: channels cost more than their traffic
   static constexpr int none = -1;    // no process came there
-  static constexpr int settled = -2; // nobody goes there
+  static constexpr int settled = -2; // an outcome that cannot occur
 
   static constexpr char advance = 'a', merge = 'm', go_on = 'g';
   struct Command {
     char what = 0;
     int arm[2] = {none, none};
-    std::size_t size = 0; // of what follows
+    std::size_t size = 0; // of the bytes that follow
   };
   struct Report {
     int arm[2] = {none, none};
@@ -42,7 +42,7 @@ public:
     bool is_hypothetical = false;
   };
 
-  // For so many.
+  // Opens channels for `count` arms.
   bool open(int count, pid_t *shared_pids);
   void close_all();
   int count() const { return count_; }

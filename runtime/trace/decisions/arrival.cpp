@@ -12,7 +12,7 @@
 #include <xmmintrin.h>
 #endif
 
-// Of the text room, which sees this one.
+// Defined here because text/ depends on this folder.
 __thread bool symreal::detail::has_text = false;
 
 namespace symreal::trace {

@@ -1,5 +1,4 @@
-// A process that executes one way from a decision has come to a later decision, and stands there. What another process
-// must know of it to go on for both.
+// Arrival of an arm's process at a later decision, where it stands: all that another process needs to go on for both.
 #pragma once
 
 #include "runtime/trace/decisions/guards.h"
@@ -11,7 +10,7 @@
 
 namespace symreal::trace {
 
-// How far a recording was when the ways parted.
+// Extent of a recording at the decision where its arms parted.
 struct PartingPoint {
   NodeId nodes = 0;
   std::size_t guards = 0, told = 0;
@@ -22,11 +21,11 @@ struct PartingPoint {
 };
 
 struct Arrival {
-  // What has to be the same for two to come together, besides their memory.
+  // Facts that two arrivals must agree on to merge, besides their memory.
   struct Facts {
     std::size_t tables = 0, externals = 0;
     int policy = 0;
-    unsigned arithmetic = 0;   // its modes
+    unsigned arithmetic = 0;   // rounding and other modes
     std::size_t interface = 0; // of a kernel that has ended
     bool operator==(Facts const &) const = default;
   };
@@ -40,7 +39,7 @@ struct Arrival {
   RealNumber arm = 1.0;              // the condition under which the program comes here
   bool is_hypothetical = false;
 
-  // Nothing if something has happened on the way that is no matter of numbers: an effect, a complaint.
+  // Nullopt if something other than numbers has happened on the way: an effect, a diagnostic.
   static std::optional<Arrival> here(PartingPoint const &since, Stand *stand, bool is_hypothetical);
   static std::optional<Arrival> at_end(PartingPoint const &since, std::vector<RealNumber> const &results,
                                        std::size_t interface, bool is_hypothetical);

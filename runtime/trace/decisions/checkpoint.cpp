@@ -15,7 +15,7 @@
 namespace symreal::trace {
 namespace {
 
-constexpr double nonsense = -6.48074069840786e97; // as good as any that no program has
+constexpr double nonsense = -6.48074069840786e97; // the poison: any number that programs do not compute
 
 } // namespace
 
@@ -43,7 +43,7 @@ void Checkpoint::begin() {
   }
 }
 
-// Until the process says what to put nonsense into, or has no need of its copy.
+// Waits until the process sends the outputs to poison, or needs its copy no more.
 void Checkpoint::wait_as_copy(int source) {
   bool is_needed = false;
   for (Unwritten one; read(source, &one, sizeof one) == sizeof one; is_needed = true) {

@@ -1,7 +1,7 @@
-// Where a kernel begins, on an explored path, a copy of the process waits. Whether an output that is no node at the end
-// was written cannot be told if it holds the plain number that it held before: on some paths 0 is written where 0 was.
-// Then the copy goes on in the place of the process, with nonsense in such outputs, and comes the same way. What still
-// is nonsense at the end was not written. So it is where an arm comes to the end with such outputs (join.h).
+// Checkpoint of an explored path: a copy of the process that waits at the kernel's begin. An output that ends as a
+// plain number equal to the one it began with may or may not have been written: some paths store 0 over 0. The copy
+// then replaces the process, with poison in such outputs, and takes the same path: outputs still poisoned at the end
+// were not written. An arm that ends with such outputs does likewise (join.h).
 #pragma once
 
 #include <symreal/real_number.h>
@@ -11,7 +11,7 @@
 
 namespace symreal::trace {
 
-// An output that is no node, and the value that it held before.
+// An output that is plain at the end, and the value that it held before.
 struct Unwritten {
   RealNumber *number;
   double value;
@@ -23,14 +23,14 @@ public:
 
   // A kernel begins; the copy, if it is asked to go on, returns from here as well, and has a copy in turn.
   void begin();
-  // The copy goes on with nonsense in these; this process ends as the copy does. Returns if all have it, or no copy
-  // waits.
+  // Poisons these in the copy and lets it go on; this process ends as the copy does. Returns if all are poisoned
+  // already, or no copy waits.
   void go_back(std::span<Unwritten const> unwritten);
-  // What these held before there was nonsense in them.
+  // Values that the poisoned outputs held before.
   std::map<RealNumber *, double> const &held() const { return held_; }
-  // Another process goes on for this one, with the copy.
+  // Hands the copy over to another process that goes on for this one.
   void leave_to_others();
-  // The kernel ends: no copy is needed any more.
+  // Ends the copy at the kernel's end.
   void end();
 
 private:

@@ -1,6 +1,6 @@
-// Where a program leaves the real numbers: branches and conversions. The program goes on with its carried value. By
-// policy the outcome becomes a guard of the kernel, or the place is reported and the driver makes an error of it, so
-// that nothing is baked in silently.
+// Branches and conversions of symbolic values, which leave the real numbers. The program goes on with the carried
+// value. By policy the outcome becomes a guard of the kernel, or the place is reported and the driver makes an error of
+// it, so that nothing is baked in silently.
 #include "engine/graph/guard_words.h"
 #include "engine/graph/infinity.h"
 #include "engine/support/number.h"
@@ -37,7 +37,7 @@ double needed_value(RealNumber x) noexcept {
   return value;
 }
 
-// Whether a constant that is no finite number may be what is here. Not followed for ever: then it may.
+// Whether the node may be an infinite or NaN constant passed on. The search is bounded: true if it is cut short.
 static bool may_be_own_infinity(NodeId node) {
   NodeTable const &nodes = Pool::current().nodes();
   constexpr std::size_t most = 1000;
@@ -87,7 +87,7 @@ static void report(std::string const &decision) {
     trace::report_carried(decision);
   else
     trace::report_decision(decision);
-  // Not with a value that the program would never have here.
+  // A hypothetical path must not go on with a value that the program cannot have here.
   if (trace::ExploredPath::current().is_hypothetical()) trace::give_up();
 }
 
@@ -106,7 +106,7 @@ static bool decide_at(trace::Stand &stand) {
   return value != 0;
 }
 
-// Of a conversion: it has too many outcomes for a path each.
+// Whether a conversion becomes a guard: it has too many outcomes for a path each.
 static bool is_guarded() { return decisions() == Decisions::guard || decisions() == Decisions::best; }
 
 static std::string conversion(RealNumber x) { return "the conversion of " + trace::describe(x); }
@@ -145,5 +145,5 @@ double convert(RealNumber x) noexcept {
 
 } // namespace symreal::detail
 
-// Where decide_on stands (trace/decisions/stand.cpp).
+// C++ half of decide_on (trace/decisions/stand.cpp).
 extern "C" bool symreal_decide_at(symreal::trace::Stand *stand) noexcept { return symreal::detail::decide_at(*stand); }

@@ -57,7 +57,7 @@ void ExploredPath::begin() {
   std::size_t const first = path.find(':'), second = path.find(':', first + 1), last = path.rfind(':');
   if (first == path.npos || number(path.substr(0, first)) != kernel) return;
   is_explored_ = true;
-  (void)!ftruncate(taken_file(), 0); // what a process has noted that went back to here (checkpoint.h)
+  (void)!ftruncate(taken_file(), 0); // notes of a process that went back to here (checkpoint.h)
   prescribed_ = path.substr(first + 1, second - first - 1);
   depth_ = number(path.substr(second + 1));
   explores_zeros_ = path.substr(second).find('z') != path.npos;
@@ -138,7 +138,7 @@ bool ExploredPath::decide(Stand &stand) {
   }
 }
 
-// In a process that executes an arm.
+// Takes an outcome in a process that executes an arm.
 bool ExploredPath::take_in_arm(Stand const &stand, bool outcome) {
   Pool &pool = Pool::current();
   RealNumber const number = RealNumber::from_bits(stand.condition);
@@ -185,7 +185,7 @@ void ExploredPath::note_in_vain(std::size_t pieces) {
   event({"in_vain", std::to_string(pieces)});
 }
 
-// The decision at which the ways have parted is none between paths.
+// The decision at which the arms have parted is joined, so it does not count as one between paths.
 void ExploredPath::end_attempt() {
   count_ = count_before_ + 1;
   known_ = known_before_;

@@ -1,21 +1,21 @@
 // One path through the decisions of a kernel, under policy explore. The driver runs the program once for each path, and
-// prescribes how it begins:
+// prescribes its first outcomes:
 //
 //   $SYMREAL_PATH   K:outcomes:depth:pieces, as in 0:tft:64:4000, or 0:tft:64z:0
 //
-// An outcome j: both ways from the decision come together again, and are recorded as one (join.h). Beyond the outcomes
-// that are prescribed the program tries that first, until this took so many pieces of a run in vain.
+// An outcome j: both arms of the decision come together again, and are recorded as one (join.h). Beyond the prescribed
+// outcomes the program tries a join first, until failed attempts have taken so many pieces of a run.
 //
-// The kernel that begins as the K-th of the run takes these outcomes at its first decisions and carries its values'
-// outcomes on from there; other kernels of the run do so from the beginning. What earlier outcomes settle is no
-// decision. Beyond `depth` decisions the path of this run goes on, each outcome a guard, and any other path is cut off:
-// what was recorded until then is handed over. `outcomes` that end in `!` are cut off where the last is taken.
+// The K-th kernel of the run takes these outcomes at its first decisions, and those of its carried values from there
+// on; other kernels of the run do so from the beginning. A condition that earlier outcomes settle does not count as a
+// decision. Beyond `depth` decisions the path of this run goes on, each outcome a guard; any other path is cut off and
+// its recording until then handed over. `outcomes` that end in `!` are cut off at the last one.
 //
-// A test for exact zero that the program's own values do not meet is taken as not met, which no outcome is prescribed
-// for; with `z` behind the depth it is a decision as any.
+// A test for exact zero that the carried values do not satisfy is taken as false and has no prescribed outcome; with
+// `z` behind the depth it is a decision like any other.
 //
-// The driver is told of each decision by an event `decided`. The file `taken` has a byte for each as well, whatever
-// ends the program.
+// Each decision is reported to the driver by an event `decided`. The file `taken` has a byte for each as well, even if
+// the program crashes.
 #pragma once
 
 #include "runtime/trace/decisions/guards.h"
@@ -33,7 +33,7 @@ class ExploredPath : private Traveller {
 public:
   static ExploredPath &current(); // one per thread
 
-  // Whether a driver runs this program along a path; who runs it by hand does not.
+  // Whether a driver runs this program along a path; false in a program started by hand.
   static bool is_asked_for();
 
   // A kernel begins.
@@ -41,9 +41,9 @@ public:
   bool decide(Stand &stand);
   // Whether this kernel's path is one among others.
   bool has_decisions() const { return count_ != 0; }
-  // Whether the program goes where its values do not lead, so that they say nothing of what it may do.
+  // Whether the program takes a path that its carried values do not, so that they say nothing of its behaviour.
   bool is_hypothetical() const override { return is_hypothetical_; }
-  // The kernel of an arm ends: so it does on the other ways, with other results.
+  // Ends the kernel of an arm, with the arm's own results.
   void end_arm(std::vector<NodeId> &results, std::size_t interface);
   // The kernel ends.
   void end();
@@ -52,7 +52,7 @@ private:
   std::optional<bool> settled(RealNumber condition) const override;
   void forget(bool is_hypothetical) override;
   std::optional<bool> known(NodeId condition) const;
-  // What is taken without a path for the other outcome, which a guard refuses.
+  // An outcome assumed without a path for the other one, which a guard rejects.
   struct Assumed {
     bool outcome;
     Guards::Reason reason;

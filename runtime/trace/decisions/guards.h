@@ -18,27 +18,27 @@ public:
   static Guards &current(); // one per thread
 
   void begin();
-  // Why nothing else than the outcome is recorded.
+  // Reason why only one outcome is recorded.
   enum class Reason : char { policy, zero, range }; // zero_test.h, range_test.h
 
-  // The program goes on as if the condition had this outcome, which the carried value says too, on the current path.
-  // The same condition again adds nothing.
+  // Assumes that the condition has this outcome, the carried value's, on the current path. A repeated condition adds
+  // nothing.
   void add(SymbolicBool condition, bool outcome, Reason reason = Reason::policy);
-  // The same in these words, for a condition that holds.
+  // Assumes a condition that holds, with this text.
   void add(SymbolicBool condition, std::string text);
   bool empty() const { return recorded_.empty(); }
   struct Recorded {
-    NodeId needed; // of the inputs that take one of these arms (join.h), or of all
+    NodeId needed; // condition for the inputs that take one of these arms (join.h), or for all
     std::set<NodeId> arms;
-    std::string text; // of what is needed
+    std::string text; // of the condition
     Reason reason;
     std::vector<std::uintptr_t> stack = {};
   };
-  // In the order in which they came; what is needed on several arms may stand there several times.
+  // Guards in recording order; one that several arms need may occur several times.
   std::vector<Recorded> const &recorded() const { return recorded_; }
-  // From the first on: how many conditions are needed for this reason.
+  // Number of conditions with this reason, from index `first` on.
   std::size_t count(std::size_t first, Reason reason) const;
-  // From the first on, as another process has them.
+  // Replaces the guards from index `first` on by another process's.
   void replace(std::size_t first, std::vector<Recorded> guards);
   // Adds the guards, one for each condition, and their locations, the return addresses of the decisions, to the graph.
   void end(Graph &graph);

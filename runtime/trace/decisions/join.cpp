@@ -47,7 +47,7 @@ JoinCosts const &Join::costs() const { return shared_->costs; }
 
 std::optional<bool> Join::attempt(Stand &stand, Traveller &traveller, std::size_t most_pieces) {
   if (has_other_threads()) return std::nullopt;         // a fork would lose them
-  if (memory::has_mapped_memory()) return std::nullopt; // nobody would compare what lies there
+  if (memory::has_mapped_memory()) return std::nullopt; // a process image leaves mapped memory out
   if (!shared_) {
     void *const memory = map_anonymous(sizeof(Shared), MAP_SHARED);
     if (memory == MAP_FAILED) return std::nullopt;
@@ -162,7 +162,7 @@ void Join::leave_unwritten(std::span<Unwritten const> unwritten) {
   leave();
 }
 
-// What is shown at once is not shown in an arm: others may execute the same.
+// Discards standard output and error in an arm: other arms may execute the same statements.
 void Join::hide_output() {
   int const nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
   for (int k : {0, 1}) {
@@ -180,7 +180,7 @@ void Join::show_output() {
   }
 }
 
-// What the coordinator says.
+// Executes the coordinator's commands.
 std::optional<bool> Join::serve(Stand *stand, std::vector<RealNumber> *results, Traveller &traveller) {
   std::vector<char> bytes;
   for (;;) {

@@ -12,7 +12,7 @@ using namespace relation;
 
 bool is_nan(Node const &node) { return node.is_constant() && std::isnan(node.value()); }
 
-// Behind any number of negations.
+// The condition behind any number of negations.
 std::pair<NodeId, bool> without_not(NodeTable const &nodes, NodeId condition) {
   bool is_negated = false;
   for (; nodes[condition].op == Op::logical_not; is_negated = !is_negated) condition = nodes[condition].operand[0];
@@ -59,7 +59,7 @@ KnownOutcomes::Relations KnownOutcomes::relations(NodeTable const &nodes, Pair p
   return possible;
 }
 
-// Follows what is known upwards from `from`. Each number met has the strongest order in which it stands to it.
+// Follows known relations upwards from `from`. Each number met keeps its strongest order.
 KnownOutcomes::Order KnownOutcomes::order(NodeTable const &nodes, NodeId from, NodeId to) const {
   if (from == to) return Order::unknown;
   std::map<NodeId, Order> met = {{from, Order::at_most}};

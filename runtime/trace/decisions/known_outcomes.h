@@ -1,8 +1,8 @@
-// What the outcomes of earlier decisions on a path say of a later one.
+// Implications of a path's earlier outcomes for later conditions.
 //
-// Two numbers stand in one of four relations: less, equal, greater, or unordered where one is NaN. A comparison asks
-// for some of them, and its outcome leaves some. A relation also follows along a chain, a < b and b <= c, in which the
-// constants have their order.
+// Two numbers stand in one of four relations: less, equal, greater, or unordered if one is NaN. A comparison asks for
+// some of them, and its outcome leaves some. Relations are transitive, as in a < b and b <= c, and constants have their
+// natural order.
 #pragma once
 
 #include "engine/graph/node_table.h"
@@ -16,10 +16,10 @@ namespace symreal::trace {
 
 class KnownOutcomes {
 public:
-  // Without NaN, !(x < y) says that x >= y.
+  // !(x < y) implies x >= y only without NaN.
   explicit KnownOutcomes(bool with_nan = true) : with_nan_(with_nan) {}
 
-  // Of a condition that no path which has come here can answer otherwise.
+  // The outcome of a condition that earlier outcomes imply; nullopt if both are possible.
   std::optional<bool> outcome(NodeTable const &nodes, NodeId condition) const;
   void add(NodeTable const &nodes, NodeId condition, bool outcome);
 
@@ -33,7 +33,7 @@ private:
 
   bool with_nan_;
   std::map<NodeId, bool> outcomes_;
-  std::map<Pair, Relations> left_; // the smaller id first
+  std::map<Pair, Relations> left_; // keyed with the smaller id first
   std::vector<NodeId> constants_;  // in these
 };
 

@@ -1,4 +1,4 @@
-// What becomes of a decision on a symbolic value, and under which conditions the program's statements are executed.
+// Policy for decisions on symbolic values, and the condition under which the program's statements execute.
 #pragma once
 
 #include "engine/ops/floating_point.h"
@@ -10,9 +10,9 @@ namespace symreal::trace {
 // $SYMREAL_FP: under mode finite every value is finite, which settles some conditions.
 FloatingPoint floating_point();
 
-// The condition under which statements are executed now: 1, or the conjunction of what with_path pushed.
+// The condition under which statements execute now: 1, or the conjunction of those pushed by with_path.
 RealNumber current_path();
-// The same of an arm that a process of its own executes (join.h).
+// The condition of the arm that this process executes (join.h).
 void set_arm(RealNumber condition);
 RealNumber current_arm();
 

@@ -13,7 +13,7 @@ namespace {
 
 using namespace relation;
 
-// The condition, which comes last, and what it is computed from. Not followed for ever.
+// The condition, as the last node, with the nodes that it depends on. The search is bounded.
 Graph part_of(NodeTable const &nodes, NodeId condition) {
   constexpr std::size_t most = 4000;
   std::set<NodeId> met;

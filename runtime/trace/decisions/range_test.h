@@ -9,7 +9,7 @@
 
 namespace symreal::trace {
 
-// By the operations alone; or also by the ranges of these inputs.
+// Outcomes implied by the operations alone, and also by the ranges of these inputs.
 std::optional<bool> outcome_of_bounds(NodeTable const &nodes, NodeId condition);
 std::optional<bool> outcome_in_ranges(NodeTable const &nodes, NodeId condition, std::vector<Object> const &inputs);
 

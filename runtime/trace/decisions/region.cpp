@@ -132,7 +132,7 @@ bool Region::arrive(int arm, std::size_t from, bool outcome) {
     places_.push_back(std::move(place));
   }
   Place &place = places_[at];
-  // What the program itself does in its arm is done: it goes on.
+  // An arm of the program itself comes first: its effects are done, so it goes on for all.
   place.ways.insert(is_hypothetical ? place.ways.end() : place.ways.begin(), number);
   place.is_hypothetical = place.is_hypothetical && is_hypothetical;
   place.generation = std::max(place.generation, places_[from].generation + 1);
@@ -210,7 +210,7 @@ RealNumber Region::chosen_condition(RealNumber condition, RealNumber yes, RealNu
   }
 }
 
-// What each way needs on all of its arm is needed whichever way the program comes.
+// Guards of a place: one that each arm needs on all of its way is needed unconditionally.
 std::vector<Guards::Recorded> Region::guards(Place const &place) const {
   struct Needed {
     Guards::Recorded guard;

@@ -1,9 +1,8 @@
-// The ways from one decision until all have come together: which of them have met where, and what stands for a number
-// in which they differ.
+// Arms of one decision until all have come together: the places where they have met, and the selects for numbers in
+// which they differ.
 //
-// A place is reached by ways from one or more decisions. In which order decisions are followed does not matter for what
-// comes out, only for what comes together: a place that has gone on before its last way came begins anew, in another
-// round, and waits longer.
+// A place is reached by arms of one or more decisions. The order in which decisions are followed affects only which
+// arms meet: a place that has gone on before its last arm came begins anew, in another round, and waits longer.
 #pragma once
 
 #include "runtime/trace/decisions/arms.h"
@@ -23,19 +22,19 @@ public:
 
   static constexpr std::size_t unbounded = static_cast<std::size_t>(-1);
 
-  // Ends where it would take more pieces, all rounds together.
+  // `most_pieces`: limit on the pieces of a run, all rounds together.
   Region(Arms &arms, PartingPoint const &parted, RealNumber condition, bool is_hypothetical, std::size_t most_pieces);
 
   // The first arm stands at the decision. Returns the arm in which all ways have come together.
   std::optional<int> run();
-  // Whether a place that waits longer may help.
+  // Whether another round, in which a place waits longer, may succeed.
   bool wants_another_round() const { return wants_another_round_; }
-  // Whether all of it with more arms may help.
+  // Whether a region with more arms may succeed.
   bool wants_more_arms() const { return wants_more_arms_; }
   JoinCosts costs() const { return costs_; }
   // Pieces of all rounds; an arm that does not come to a place in time counts as many as might have run in that time.
   std::size_t tried() const { return tried_; }
-  // Where the decisions after the first are at which ways have parted, as addresses.
+  // Addresses of the later decisions at which arms have parted.
   std::vector<std::vector<std::uintptr_t>> decided_at() const;
 
 private:
@@ -61,10 +60,10 @@ private:
   void merge(std::size_t place, bool is_last);
   std::vector<Guards::Recorded> guards(Place const &place) const;
   bool comes_by(std::size_t place, std::size_t before) const;
-  // As the coordinator has what a way has.
+  // Node or bits of an arm, in the coordinator's numbering.
   NodeId here(Way const &way, NodeId node) const;
   RealNumber here(Way const &way, std::uint64_t bits) const;
-  // What lies at these addresses in a place that is reached from another; the condition lies at the first.
+  // Memo of the numbers at these addresses, by place; the condition lies at the first address.
   using Known = std::map<std::size_t, std::optional<Numbers>>;
   std::optional<Numbers> numbers(std::size_t from, std::size_t to, std::vector<std::uint64_t *> const &addresses,
                                  Known &known);

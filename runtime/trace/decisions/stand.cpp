@@ -1,4 +1,4 @@
-// The entry of decisions: it puts what the caller wants preserved where it can be seen and changed.
+// Entry of decisions: saves the caller's preserved registers in memory, where they can be read and changed.
 #include "runtime/trace/join/stand.h"
 
 #include <symreal/real_number.h>
@@ -11,8 +11,8 @@ using symreal::trace::Stand;
 
 static_assert(offsetof(Stand, caller) == 56 && offsetof(Stand, condition) == 48);
 
-// symreal::detail::decide_on(unsigned long). What the call has left on the stack is wiped away: it would lie in the
-// frames of later calls, and differ from process to process.
+// Entry of symreal::detail::decide_on(unsigned long). It wipes its call's stack, which would lie in the frames of later
+// calls and differ from process to process.
 asm(R"(
   .text
   .p2align 4

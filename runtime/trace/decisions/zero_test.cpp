@@ -7,12 +7,12 @@ namespace {
 
 bool is_zero(Node const &node) { return node.is_constant() && node.value() == 0; }
 
-// At most the smallest normal number, which libraries take for "0".
+// Whether the constant is at most the smallest normal number, which libraries treat as "0".
 bool is_tiny(Node const &node) {
   return node.is_constant() && node.value() >= 0 && node.value() <= std::numeric_limits<double>::min();
 }
 
-// Whatever its operands are: a magnitude, a sum of squares. Not looked into for ever.
+// Whether the node is non-negative for all operands: a magnitude, a sum of squares. The search is bounded.
 bool is_never_negative(NodeTable const &nodes, NodeId id, int depth = 16) {
   Node const &node = nodes[id];
   auto const operand = [&](int k) { return is_never_negative(nodes, node.operand[k], depth - 1); };
@@ -47,7 +47,7 @@ std::optional<bool> outcome_without_zero(NodeTable const &nodes, NodeId conditio
   if (nodes[left].is_constant() || is_given(nodes[left])) return std::nullopt;
   if ((op == Op::eq || op == Op::ne) && is_zero(nodes[right])) return op == Op::ne;
   if (!is_tiny(nodes[right]) || !is_never_negative(nodes, left)) return std::nullopt;
-  bool const includes_zero = !is_zero(nodes[right]); // x < DBL_MIN asks for 0, x < 0 for nothing
+  bool const includes_zero = !is_zero(nodes[right]); // x < DBL_MIN holds for 0, x < 0 does not
   if (op == Op::gt || (op == Op::ge && includes_zero)) return true;
   if (op == Op::le || (op == Op::lt && includes_zero)) return false;
   return std::nullopt;

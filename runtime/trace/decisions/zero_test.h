@@ -7,8 +7,8 @@
 
 namespace symreal::trace {
 
-// What the condition gives if the number is not 0; nothing if it is another condition. Inputs and parameters themselves
-// are no such numbers: a mode that is 0 may well be meant.
+// The outcome of the condition if the number is not 0; nullopt if the condition is not a zero test. Plain inputs and
+// parameters do not count: a mode that is 0 may well be meant.
 std::optional<bool> outcome_without_zero(NodeTable const &nodes, NodeId condition);
 
 } // namespace symreal::trace

@@ -14,7 +14,7 @@ namespace symreal {
 
 namespace trace {
 
-static constexpr int deepest = 4; // bounds the recursion, and what a reader takes in
+static constexpr int deepest = 4; // bounds the recursion, and the text for a reader
 
 static std::string leaf_name(std::vector<Object> const &objects, std::uint32_t slot) {
   return element_name(objects, slot).value_or("input " + std::to_string(slot));
@@ -32,7 +32,7 @@ static std::string describe_external(Node const &node, std::string const *operan
   return node.op == Op::returned ? operands[0] : "...";
 }
 
-// As a program would spell it, without what only generated code needs.
+// Spelling in a program, without the parts that only generated code needs.
 static std::string spelling(OperationInfo const &operation) {
   if (operation.op == Op::int32 || operation.op == Op::int64) return "trunc";
   if (operation.op == Op::wide_int || operation.op == Op::wide_value) return "(int64_t)";

@@ -7,7 +7,7 @@
 
 namespace symreal::trace {
 
-// In C's notation with the annotations' labels for inputs and parameters; cut off with "..." where it gets long.
+// Expression in C's notation with the annotations' labels for inputs and parameters; truncated with "...".
 std::string describe(RealNumber number);
 std::string describe(Op op, RealNumber x, RealNumber y);
 

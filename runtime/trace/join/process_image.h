@@ -1,6 +1,6 @@
-// What a program has in its memory at a place where it stands: its static objects, the blocks of its heap, and the
-// stack, with the registers that lie there. Compared with that of another process which stands there as well: either
-// they differ in nothing but real numbers, or the two go different ways from here.
+// Memory image of a program that stands at a decision: its static objects, its heap blocks, and the stack with the
+// saved registers. Compared with the image of another process at the same place: either they differ in real numbers
+// only, or the two part from here.
 #pragma once
 
 #include "runtime/trace/join/message.h"
@@ -18,21 +18,21 @@ namespace symreal::trace {
 class ProcessImage {
 public:
   static ProcessImage capture(Stand *stand);
-  // Of a program whose kernel has ended: only its results matter. They count as lying at these addresses.
+  // Image of a program whose kernel has ended: only its results matter. They count as lying at result_address.
   static ProcessImage of_results(std::vector<RealNumber> const &results);
   static std::uint64_t *result_address(std::size_t k) {
     return reinterpret_cast<std::uint64_t *>(k * 8 + sizeof(Stand));
   }
   static std::size_t result_at(std::uint64_t const *address);
 
-  // The words in which the two differ. At least one of the two is a node of this recording there, so that a real number
-  // lies there: what is alive at one place of a program has one type. Nothing if anything else differs.
+  // The words in which the two differ. In each, at least one of the two holds a node of this recording, so that a real
+  // number lies there: an object alive at one place of a program has one type. Nullopt if anything else differs.
   std::optional<std::vector<std::uint64_t *>> differences(ProcessImage const &other) const;
   std::uint64_t word(std::uint64_t const *address) const;
-  // Its nodes from the first on are these now: another process has other numbers for the same.
+  // Replaces the node ids from the first on: another process numbers the same nodes differently.
   void renumber(NodeId first, std::vector<NodeId> const &now);
 
-  // None where a kernel has ended.
+  // Null if the kernel has ended.
   Stand *stand() const { return stand_; }
   std::uint64_t *condition_at() const { return stand_ ? &stand_->condition : nullptr; }
 

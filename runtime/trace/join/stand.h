@@ -1,13 +1,13 @@
-// Where a program stands when it asks for the outcome of a decision: what lives beyond the call lies from here to the
-// far end of the stack, the registers that a call preserves first. So the program can be stopped, compared with
-// another process that stands at the same place, given other numbers, and sent on.
+// Stack frame of a program that asks for the outcome of a decision: all that lives beyond the call lies from here to
+// the far end of the stack, the callee-saved registers first. So the program can be stopped, compared with another
+// process at the same place, given other numbers, and resumed.
 #pragma once
 
 #include <cstdint>
 
 namespace symreal::trace {
 
-// As the entry lays it out (trace/decisions/stand.cpp). The caller's stack follows.
+// Layout of the entry's frame (trace/decisions/stand.cpp). The caller's stack follows.
 struct Stand {
   std::uint64_t preserved[6];
   std::uint64_t condition;

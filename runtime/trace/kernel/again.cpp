@@ -34,9 +34,9 @@ void *symreal_original_point() { return symreal::trace::point; }
 
 void symreal_original_keep(void const *frame) {
   using namespace symreal::trace;
-  if (is_again) return; // nothing is kept but the first state
+  if (is_again) return; // only the first state is kept
   symreal::memory::OwnWork const own;
-  // From where the function's stack ends, which is where this frame begins, to what it has saved.
+  // The bytes from the end of the function's stack, where this frame begins, to its saved registers.
   frame_begin = static_cast<char *>(__builtin_frame_address(0)) + 2 * sizeof(void *);
   frame_bytes.assign(frame_begin, static_cast<char *>(const_cast<void *>(frame)));
 }

@@ -66,7 +66,7 @@ void Kernel::set_range(double low, double high) {
   sink_->set_range(low, high);
 }
 
-// How much later than in the recorded run a kernel begins.
+// Number of calls by which the kernel begins later than in the recorded run.
 static unsigned later_call() {
   static char const *const later = std::getenv("SYMREAL_LATER_CALL");
   return later ? static_cast<unsigned>(std::atoi(later)) : 0;

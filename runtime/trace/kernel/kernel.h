@@ -19,7 +19,7 @@
 
 namespace symreal::trace {
 
-// What a kernel's annotations are for: recording, or running it again on other inputs.
+// Receiver of a kernel's annotations: records the kernel, or runs it again on other inputs.
 class Sink {
 public:
   virtual ~Sink() = default;
@@ -27,27 +27,27 @@ public:
   virtual void begin(std::string const &name, void const *frame) = 0;
   virtual void begin_object(Kind kind, std::string const &label, Place const &place) = 0;
   virtual void element(void *number, bool is_temporary) = 0;
-  // A scalar of a structure that is annotated.
+  // A scalar of an annotated structure.
   virtual void scalar(ScalarObject) {}
-  // Of a structure the elements are those of its members.
+  // The elements of a structure are those of its members.
   virtual void begin_members() {}
   virtual void begin_member(std::string const &) {}
   virtual void end_member(std::vector<std::size_t> const &) {}
   virtual void end_members() {}
-  // The bytes of a constant or scratch object, where nothing tells its numbers.
+  // The bytes of a constant or scratch object whose numbers are not listed one by one.
   virtual void bytes(void const *, std::size_t) {}
   // An object that holds annotated numbers, maybe elsewhere.
   virtual void holder(void const *, std::size_t) {}
   // A returned object, as a whole.
   virtual void handed_over(void const *, std::size_t) {}
-  // The kernel's own, though it lies with its caller.
+  // An object of the kernel's own, though it lies with its caller.
   virtual void own(void const *, std::size_t) {}
   // An argument that the caller may choose as it likes.
   virtual void chosen(void const *, std::size_t) {}
   virtual void end_object(std::vector<std::size_t> extents) = 0;
   // The program's static variables.
   virtual std::vector<memory::StaticObject> static_objects() const { return memory::find_static_objects(); }
-  // The elements that follow were found by a solver, or are a residual. Whether they are wanted.
+  // The elements that follow were found by a solver, or are a residual. Returns whether they are wanted.
   virtual bool begin_implicit(std::string const &, Place const &) { return false; }
   virtual void end_implicit() {}
   virtual void set_range(double low, double high) = 0;
@@ -55,9 +55,9 @@ public:
   virtual void differentiate(DerivativeWish const &) {}
   // `place`: where the kernel ends, or a function kernel's pragma.
   virtual void end(std::string const &name, std::string const &output_file, Place const &place) = 0;
-  // The kernel is left in its middle: what is recorded is handed over without outputs, and the program ends.
+  // Abandons the kernel in its middle: the recording is handed over without outputs, and the program ends.
   virtual void cut_off() {}
-  // The objects so far, for descriptions.
+  // The objects annotated so far, for descriptions.
   virtual Graph const &interface() const = 0;
 };
 
@@ -72,7 +72,7 @@ public:
   void accept_annotations() { muted_ = false, phase_ = phase_ == Phase::entering ? Phase::inside : phase_; }
   void begin_outputs() { phase_ = Phase::leaving; }
   void end_function();
-  // The function of the kernel that has ended is run from its beginning.
+  // Runs the function of the kernel that has ended from its beginning.
   void begin_again() { muted_ = false, phase_ = Phase::entering; }
   void end_region(char const *file_name, SourcePlace place);
 
@@ -81,9 +81,9 @@ public:
   }
   // The annotation whose items are evaluated from now on.
   void annotate(char const *label, SourcePlace place) { label_ = label, place_ = place; }
-  // An element of the annotation's item does not exist.
+  // Reports an element of the annotation's item that does not exist.
   [[noreturn]] void refuse_element(std::string const &object, std::int64_t count) const;
-  // Fails for numbers between which no sample lies.
+  // Fails if no sample lies between the two.
   void set_range(double low, double high);
   void set_state(StatePair const &state) {
     if (takes_clauses()) sink_->set_state(state);
@@ -105,17 +105,17 @@ private:
   bool takes_clauses() const {
     return !muted_ && !inert_region_ && (phase_ == Phase::region || phase_ == Phase::entering);
   }
-  // Identity of an annotation: where it stands.
+  // Identity of an annotation: its place.
   using Where = std::pair<std::string, std::pair<unsigned, unsigned>>;
   static Where where(SourcePlace place) { return {place.file, {place.line, place.column}}; }
 
   void begin(MakeSink make_sink, std::string const &name, SourcePlace place);
 
   Phase phase_ = Phase::none;
-  bool muted_ = false;        // the annotations that follow belong to an inert call
+  bool muted_ = false;        // the next annotations belong to an inert call
   bool inert_region_ = false; // until its generate
   std::string name_;
-  char const *label_ = ""; // of the annotation that was met last
+  char const *label_ = ""; // of the last annotation
   SourcePlace place_{};
   Where begun_at_;
   std::set<Where> recorded_;

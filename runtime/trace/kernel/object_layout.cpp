@@ -13,7 +13,7 @@ namespace trace {
 
 namespace {
 
-// The text is read again for each object: it is short, and says what is in it in the order in which that is visited.
+// The text is parsed again for each object: it is short, and lists the parts in the order of the visits.
 class Layout {
 public:
   Layout(detail::VisitElements const *containers, LayoutVisitor &visitor)
@@ -112,7 +112,7 @@ private:
         [](void *context, void const volatile *element) {
           Each &here = *static_cast<Each *>(context);
           here.layout.visit(here.shape, static_cast<char const volatile *>(element), here.wanted);
-          here.wanted = nullptr; // the first tells the shape of all
+          here.wanted = nullptr; // the first has the shape of all
         },
         &each, own);
     if (extents) {
@@ -126,7 +126,7 @@ private:
   LayoutVisitor &visitor_;
 };
 
-// For symbolic and replay programs.
+// Visitor of symbolic and replay programs.
 class ToSink final : public LayoutVisitor {
 public:
   ToSink(Sink &sink, bool is_temporary) : sink_(sink), is_temporary_(is_temporary) {}

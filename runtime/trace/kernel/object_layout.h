@@ -1,4 +1,4 @@
-// Reads the text that says where the numbers of a structure lie (<symreal/object_layout.h>).
+// Reader of layout texts, which list the numbers of a structure (<symreal/object_layout.h>).
 #pragma once
 
 #include <symreal/object_layout.h>
@@ -7,7 +7,7 @@
 
 namespace symreal::trace {
 
-// What is told of a structure, in the order of its layout.
+// Visitor for the parts of a structure, in layout order.
 class LayoutVisitor {
 public:
   virtual ~LayoutVisitor() = default;
@@ -20,7 +20,7 @@ public:
   virtual void end_members() {}
 };
 
-// The extents of the object are appended.
+// Appends the extents of the object.
 void visit_layout(void const volatile *object, char const *layout, detail::VisitElements const *containers,
                   LayoutVisitor &visitor, std::vector<std::size_t> *extents);
 

@@ -1,5 +1,5 @@
-// The private copies that input pointers of function kernels are rebound to where the caller's data cannot be written.
-// Everywhere else inputs are annotated in place, so that pointers keep their identity, and what overlaps overlaps.
+// Private copies of read-only data: input pointers of function kernels are rebound to them. Other inputs are annotated
+// in place, so that pointers keep their identity, and aliases remain.
 #include "engine/support/page_allocator.h"
 #include "runtime/memory/heap_blocks.h"
 #include "runtime/trace/kernel/kernel.h"
@@ -29,7 +29,7 @@ std::vector<Copy> &copies() {
   return *list;
 }
 
-// As the system has it; true where that cannot be told.
+// Whether the system reports the address as writable; true if unknown.
 bool is_writable(void const *address) {
   memory::OwnWork const own;
   std::FILE *file = std::fopen("/proc/self/maps", "r");
@@ -68,7 +68,7 @@ void *detail::private_copy(void const *pointer, std::size_t low, std::size_t cou
   if (!is_copy && is_writable(original + low)) return const_cast<char *>(original);
   std::size_t size = low + count, kept = 0;
   char const *source = original;
-  // A second section of a pointer that is rebound already: what the first one annotated moves along.
+  // A second section of a rebound pointer: elements that the first one annotated move along.
   for (Copy const &copy : copies())
     if (copy.begin == original) {
       if (copy.size >= size) return copy.begin;

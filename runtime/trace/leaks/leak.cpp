@@ -46,7 +46,7 @@ void Leak::report(std::uintptr_t instruction, std::uintptr_t delayed) const {
 
 std::uint64_t Leak::value(std::uint64_t bits) {
   double const value = Pool::current().final_value(Pool::underlying(bits));
-  // Without its sign it went through fabs or a negation; fabs comes before comparisons, on which the way ahead hangs.
+  // A missing sign bit means fabs or a negation; fabs comes before comparisons, which decide the path.
   return std::bit_cast<std::uint64_t>(bits >> 63 != 0 ? value : std::fabs(value));
 }
 

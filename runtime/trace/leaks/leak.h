@@ -20,7 +20,7 @@ public:
 private:
   std::string values_;
   bool is_stale_ = false; // a node of another recording
-  bool is_torn_ = false;  // what is left of a node
+  bool is_torn_ = false;  // a node with overwritten bytes
 };
 
 } // namespace symreal::trace

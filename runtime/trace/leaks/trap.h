@@ -9,8 +9,8 @@
 
 namespace symreal::trace {
 
-// A kernel's begin and end, in its thread. SIGFPE and SIGTRAP have a handler of ours in between, which passes on what
-// is not meant for it.
+// Called at a kernel's begin and end, in its thread. SIGFPE and SIGTRAP get a handler in between, which passes other
+// signals on.
 void enable_trap();
 // Whether the trap was in force all the time: a program that sets the floating-point environment or the handler itself
 // switches it off.

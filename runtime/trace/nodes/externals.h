@@ -1,4 +1,4 @@
-// The tables and external functions that a recording refers to, by number.
+// Numbering of the tables and external functions that a recording refers to.
 #pragma once
 
 #include "engine/graph/graph.h"
@@ -16,25 +16,25 @@ public:
   static Externals &current(); // one per thread
 
   void begin();
-  // The number of a table with these elements, or of this function: known, or new.
+  // The number of a table with these elements, or of this function; added if new.
   std::size_t number(Table table);
   std::size_t number(External const &external);
 
-  // What a pragma says of a pointer; 0 where none does.
+  // Extent that a pragma declares for a pointer; 0 without one.
   void declare_extent(void const *pointer, std::size_t count) { extents_[pointer] = count; }
   std::size_t declared_extent(void const *pointer) const {
     auto const found = extents_.find(pointer);
     return found == extents_.end() ? 0 : found->second;
   }
 
-  // A call in order follows the one before it; 0 before the first.
+  // The last call with an effect, which the next one is ordered after; 0 before the first.
   RealNumber last_effect() const { return last_effect_; }
   void set_last_effect(RealNumber call) { last_effect_ = call; }
 
   std::vector<Table> const &tables() const { return tables_; }
   std::vector<External> const &functions() const { return functions_; }
 
-  // Adds all to the graph.
+  // Adds all tables and functions to the graph.
   void end(Graph &graph);
 
 private:

@@ -1,11 +1,11 @@
 // The payload of a node (symreal/real_number.h): its id, and 18 check bits above it. The id has some bits inverted, so
-// that zeros that a program stores in a small one are not what is there already.
+// that zeros stored into a small id change it.
 //
-// The check bits are a hash of the id plus a multiple of the recording's generation. Of one id, those of two
-// generations differ: a node of another recording is told by them for certain. A number of which some bytes were
+// The check bits are a hash of the id plus a multiple of the recording's generation. For one id, those of two
+// generations differ: a node of another recording is detected for certain. A number of which some bytes were
 // overwritten, with zeros, with those of another node or with anything else, has the check bits of its id with a chance
-// of 2^-18. Hence the hash is one that scatters: of a linear one the differences between ids would decide, and ids that
-// differ in one byte would all have the same check bits, or none.
+// of 2^-18. Hence the hash is one that scatters: with a linear one the differences between ids would decide, and ids
+// that differ in one byte would all have the same check bits, or none.
 #pragma once
 
 #include "engine/graph/node.h"
@@ -17,9 +17,9 @@
 namespace symreal::trace::payload {
 
 inline constexpr std::uint32_t check_mask = (1u << (detail::node_shape_at - 32)) - 1;
-// What has the shape of a node and no check bits.
+// Bits in the shape of a node, with zero check bits.
 inline constexpr std::uint64_t signaling = detail::node_shape << detail::node_shape_at;
-// From one generation to the next. Check bits that would be 0 are 1, and no two generations are that close.
+// Step of the check bits from one generation to the next. Check bits 0 become 1, and no two generations are that close.
 inline constexpr std::uint32_t generation_step = 0x1'9E37u;
 
 constexpr std::uint32_t hash(NodeId id) {
@@ -42,14 +42,14 @@ constexpr std::uint64_t bits_of(NodeId id, std::uint32_t offset) {
   return std::uint64_t{upper_half(id, offset)} << 32 | (id ^ inverted);
 }
 
-// Modulo a power of two; each step doubles the bits that are right.
+// Inverse of the step modulo a power of two; each Newton step doubles the correct bits.
 inline constexpr std::uint32_t inverse_step = [] {
   std::uint32_t inverse = generation_step;
   for (int k = 0; k < 4; ++k) inverse *= 2 - generation_step * inverse;
   return inverse;
 }();
 
-// The generation that the check bits belong to; of a torn number any of 2^18.
+// The generation that the check bits belong to; for a torn number any of 2^18.
 constexpr std::uint32_t generation_of(std::uint64_t bits) {
   NodeId const id = id_of(bits);
   auto const check = static_cast<std::uint32_t>(bits >> 32) & check_mask;

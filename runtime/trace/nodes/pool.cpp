@@ -46,19 +46,19 @@ Pool::Columns Pool::wanted_columns() {
   return {has("SYMREAL_VALUES", true), has("SYMREAL_PLACES", false)};
 }
 
-// Which generations are being recorded now, in any thread.
+// Generations that are being recorded now, in any thread.
 static std::atomic<std::uint64_t> live[4];
 
 static bool is_live(std::uint32_t generation) { return (live[generation / 64] >> (generation % 64) & 1) != 0; }
 
-// The largest so far. They begin again at 1 when none is left.
+// The largest generation so far. Generations restart at 1 when all are used.
 static std::atomic<std::uint32_t> last_known = 0;
 
 bool Pool::is_known(std::uint32_t generation) { return generation - 1 < last_known; }
 
 static_assert(payload::generation_of(payload::signaling) > 255); // that of no recording
 
-// The check bits tell each generation, and none of their nodes is like what has no check bits.
+// The check bits identify each generation, and nodes of all generations differ from bits without check bits.
 static_assert([] {
   for (std::uint32_t generation = 1; generation < 256; ++generation) {
     for (NodeId id : {0u, 1u, 0x1234'5678u, 0xFFFF'FFFEu}) {
@@ -75,7 +75,7 @@ static_assert([] {
 void Pool::begin(Columns columns) {
   static std::atomic<std::uint8_t> last_generation = 0;
   do generation_ = ++last_generation;
-  while (generation_ == 0); // which says that nothing is recorded
+  while (generation_ == 0); // 0: no recording
   offset_ = payload::offset_of(generation_);
   for (std::uint32_t known = last_known;
        known < generation_ && !last_known.compare_exchange_weak(known, generation_);) {
@@ -100,7 +100,7 @@ static bool is_room_for(std::size_t bytes) {
   }
 }
 
-// Address space, not memory. Where a limit forbids it, half of what the limit leaves: the program needs some as well. A
+// Reserves address space, not memory: under a limit, half of the rest, since the program needs some as well. A
 // recording that outgrows it moves.
 void Pool::make_room() {
   std::size_t const node_size = sizeof(Node) + 2 * sizeof(NodeId) + sizeof(Attribute) +
@@ -177,7 +177,7 @@ double Pool::value_of(Node const &node) const {
   return evaluate(node.op, operand[0], operand[1], operand[2]);
 }
 
-// What programs do most, without a look at the table of operations.
+// Fast path for the common operations, without a look-up in the table of operations.
 NodeId Pool::record_arithmetic(Op op, RealNumber x, RealNumber y, void const *caller) {
   NodeId const a = operand(x), b = operand(y), id = table_.intern(table_.arithmetic(op, a, b));
   if (id + 1 != table_.size()) return id;

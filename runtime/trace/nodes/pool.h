@@ -1,4 +1,4 @@
-// The pool of one thread: the graph that is being recorded, and what its nodes carry: their values, and on request the
+// The pool of one thread: the graph being recorded with its node attributes: the carried values, and on request the
 // return addresses of the code that recorded them.
 //
 // One pool per thread rather than one behind a mutex: kernels recorded by several threads do not meet, and the
@@ -16,24 +16,24 @@
 
 namespace symreal::trace {
 
-// Whatever is computed from a missing value is missing, too.
+// Missing values propagate through operations.
 bool is_missing(double value);
 
 class Pool {
 public:
-  // Constant-initialised, made on first use, never destroyed: numbers with static storage outlive it otherwise.
+  // Constant-initialised, made on first use, never destroyed: numbers with static storage would outlive it otherwise.
   static Pool &current();
 
   struct Columns {
-    bool values = true;  // without: whatever decides, prints or converts is an error
+    bool values = true;  // false: a decision, print or conversion is an error
     bool places = false; // 4 bytes a node
   };
-  // As $SYMREAL_VALUES and $SYMREAL_PLACES ask for.
+  // Columns that $SYMREAL_VALUES and $SYMREAL_PLACES ask for.
   static Columns wanted_columns();
 
   // Begins a recording with a generation of its own.
   void begin(Columns columns = wanted_columns());
-  // Ends it: what is left are the nodes, handed over. Numbers that still hold one are stale from now on.
+  // Ends the recording and hands its nodes over. Numbers that still hold one are stale from now on.
   Nodes end();
   bool is_recording() const { return recording_; }
 
@@ -58,11 +58,11 @@ public:
   static RealNumber underlying(std::uint64_t bits) {
     return RealNumber::from_bits((bits & ~marks) | std::uint64_t{1} << 63);
   }
-  // What is left of a node where some of its bytes were overwritten.
+  // Whether the number is a node of which some bytes were overwritten.
   static bool is_torn(RealNumber number) {
     return number.is_node() && number.to_bits() != payload::signaling && !is_tagged(number.to_bits());
   }
-  // The recording has outgrown the memory: gives its memory back, so that this can be told, and ends the program.
+  // Ends the program with a diagnostic when the recording has outgrown memory; frees the recording first.
   [[noreturn]] void run_out();
   bool owns(RealNumber number) const { return is_own(number.to_bits()); }
   // The last operation that may have set errno, if that was not written since.
@@ -70,12 +70,12 @@ public:
   void may_set_error(RealNumber x) { error_setter_ = owns(x) ? payload::id_of(x.to_bits()) : error_setter_; }
   void forget_error() { error_setter_ = no_node; }
 
-  // What a number becomes when its kernel ends.
+  // Plain value that replaces a node when its kernel ends.
   double final_value(RealNumber number) const { return value(payload::id_of(number.to_bits())); }
   void make_plain(RealNumber &number) const {
-    if (owns(number)) number = final_value(number); // what is no node may lie in constant memory
+    if (owns(number)) number = final_value(number); // a plain number may lie in read-only memory
   }
-  // All numbers that lie in these bytes, from the first on.
+  // Makes all numbers in these bytes plain.
   void make_plain(void *begin, std::size_t size) const {
     auto *numbers = static_cast<RealNumber *>(begin);
     for (std::size_t k = 0; k < size / sizeof *numbers; ++k) make_plain(numbers[k]);
@@ -84,7 +84,7 @@ public:
   NodeTable const &nodes() const { return table_; }
   RealNumber number(NodeId id) const;
 
-  // A node with what it carries.
+  // A node with its attributes.
   struct Row {
     Node node;
     double value;
@@ -92,18 +92,18 @@ public:
     bool is_exact;
   };
   std::vector<Row> rows_from(NodeId first) const;
-  // Of another process that has recorded the same as this one up to node `first`. Returns what each node is here.
+  // Appends the rows of a process that shares this recording up to node `first`. Returns their node ids here.
   std::vector<NodeId> adopt(NodeId first, std::vector<Row> const &rows);
-  // From now on what is recorded is exact, or no longer; returns what held before.
+  // Sets whether nodes recorded from now on are exact; returns the previous setting.
   bool set_exact(bool exact) { return std::exchange(exact_, exact); }
-  // Per node; empty where none is.
+  // Exactness per node; empty if no node is exact.
   std::vector<char> exact() const;
-  // Per node, relative to the load base; 0 where unknown; empty where places are not kept.
+  // Return address per node, relative to the load base; 0 if unknown; empty if places are not kept.
   LongArray<std::uint32_t> take_places() { return std::exchange(places_, {}); }
 
 private:
   static constexpr std::uint64_t marks = std::uint64_t{1} << 63 | std::uint64_t{1} << 51;
-  // Was there a recording of this generation?
+  // Whether a recording of this generation existed.
   static bool is_known(std::uint32_t generation);
   // A node of this recording; another process that records the same may have more of them.
   bool is_own(std::uint64_t bits) const { return bits >> 32 == payload::upper_half(payload::id_of(bits), offset_); }
@@ -112,9 +112,9 @@ private:
   double value(NodeId id) const;
   double value_of(Node const &node) const;
   NodeId record_arithmetic(Op op, RealNumber x, RealNumber y, void const *caller);
-  // Says what is wrong with the number, and ends the program: it has no node.
+  // Reports the number, which has no node, and ends the program.
   NodeId refuse(RealNumber number) const;
-  // An operand, which this process has.
+  // Operand node, which must exist in this process.
   NodeId operand(RealNumber number) {
     NodeId const id = node(number);
     return id < table_.size() ? id : refuse(number);
@@ -130,12 +130,12 @@ private:
   std::uint8_t generation_ = 0;
   std::uint32_t offset_ = 0; // of the generation, in the payload
   bool recording_ = false;
-  LongArray<char> exact_nodes_; // up to the last that is
-  bool exact_ = false;          // a statement or function says so, which may stand around a whole recording
+  LongArray<char> exact_nodes_; // up to the last exact one
+  bool exact_ = false;          // set by a statement or function, which may enclose a whole recording
   NodeId error_setter_ = no_node;
 };
 
-// In the pool of this thread. `caller`: where in the program this is asked for.
+// Records in the pool of this thread. `caller`: return address in the program.
 RealNumber record_call(Op op, RealNumber x, RealNumber y, RealNumber z, void const *caller) noexcept;
 
 } // namespace symreal::trace

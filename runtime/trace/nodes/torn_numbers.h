@@ -1,9 +1,9 @@
-// Symbolic numbers of which the program has overwritten some bits, through a union, a pointer or a function that moves
-// bytes: where they lie, where that was, and which bits.
+// Torn numbers: symbolic numbers of which the program has overwritten some bits, through a union, a pointer or a byte
+// function, with their address, the place of the store, and the bits.
 //
-// Memory may hold something else from now on, an integer in place of a number, and be overwritten piece by piece. So a
-// part that is stored is an error as soon as what is left of the number is used: as a number, or as bits. An object
-// that the source names as a number is nothing else: there it is an error at the latest when the kernel ends.
+// Memory may be reused for another object, an integer in place of a number, and be overwritten piece by piece. So a
+// partial store is an error only once the rest of the number is used, as a number or as bits. An object that the source
+// names as a number cannot be reused: it is an error at the latest when the kernel ends.
 #pragma once
 
 #include <symreal/real_number.h>
@@ -32,11 +32,11 @@ public:
   void begin();
   // These bits are about to get new values.
   void store(Bits bits, bool is_number, Site const &site);
-  // The number is read, or numbers are.
+  // The program reads one or more numbers in these bits.
   void use(Bits bits, Site const &site);
-  // Are symbolic bits among these, of a whole number or of what is left of one?
+  // Whether any of these bits belong to a symbolic number, whole or torn.
   bool is_symbolic(Bits bits);
-  // Where a number with these bits was overwritten; empty where that is not known.
+  // Place where a number with these bits was overwritten; empty if unknown.
   std::string place_of(RealNumber number) const;
   void end();
 
@@ -48,8 +48,8 @@ private:
 
     bool is_left_in(std::uint64_t word) const { return ((word ^ before ^ mark) & ~stored) == 0; }
   };
-  // What is left of a number gets these bits inverted: so it is that of no number, even if the program stores what was
-  // there before, and is told from a number that is stored there later.
+  // Bits to invert in the rest of a torn number: it then equals no number, even if the program stores the old bytes
+  // back, and is distinct from a number stored there later.
   static constexpr std::uint64_t mark = 0x0001'5A5A'A5A5'5A5Au;
   using Table = std::unordered_map<std::uint64_t *, Torn>;
 
@@ -60,7 +60,7 @@ private:
   void changed();
 
   Table torn_;
-  std::deque<Torn> gone_;          // the last of those whose memory holds something else by now; copies may be left
+  std::deque<Torn> gone_;          // the last of those whose memory was reused; copies may be left
   std::set<std::string> reported_; // places
 };
 

@@ -24,7 +24,7 @@ char symreal_effect_hooks = 0;
 #include "runtime/trace/outside/effects.def"
 #undef EFFECT
 
-// The library links this one into each program, so the library has no other to call.
+// The C library links atexit into each program statically, so the hook forwards to __cxa_atexit.
 int symreal_library_atexit(void (*function)(void *), void *argument, void *library) asm("__cxa_atexit");
 int symreal_effect_atexit(void (*function)()) asm("atexit");
 [[gnu::weak]] int symreal_effect_atexit(void (*function)()) {

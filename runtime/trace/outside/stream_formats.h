@@ -20,7 +20,7 @@ StreamFormats read_formats();
 // The streams whose formats are others by now.
 std::vector<std::string> changed_formats(StreamFormats const &before);
 
-// Gives each another format, so that what is made of them shows.
+// Gives each stream another format, so that output that depends on it shows.
 void change_formats();
 
 } // namespace symreal::trace

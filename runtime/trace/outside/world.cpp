@@ -85,7 +85,7 @@ constexpr char allow = 0, block = 1;
 char selector = allow; // which the kernel of the system reads at each system call
 bool has_begun = false, is_watching = false, is_discarding = false;
 struct sigaction previous;
-// The handler's own stack: what it leaves would show where the stacks of two processes are compared (trace/join).
+// A stack of the handler's own: its traces would show in comparisons of two processes' stacks (trace/join).
 alignas(16) char handler_stack[1 << 16];
 stack_t previous_stack;
 
@@ -93,7 +93,7 @@ stack_t previous_stack;
 struct Noted {
   long number;
   long file;     // a descriptor, or -1
-  bool is_asked; // nothing that lasts is done
+  bool is_asked; // asks only, without a lasting effect
   char path[240];
 };
 Noted noted[32];
@@ -223,7 +223,7 @@ Call const *row_of(long number) {
 constexpr long most_files = 1024;
 bool is_own_file[most_files];
 
-// The path of an open file, without what allocates.
+// The path of an open file, without allocation.
 void path_of(long descriptor, char (&path)[240]) {
   char link[40] = "/proc/self/fd/";
   char digits[20];
@@ -231,7 +231,7 @@ void path_of(long descriptor, char (&path)[240]) {
   do digits[count++] = static_cast<char>('0' + descriptor % 10);
   while ((descriptor /= 10) > 0);
   while (count > 0) link[end++] = digits[--count];
-  long const size = syscall(SYS_readlink, link, path, sizeof path - 1); // readlink() tells the recording
+  long const size = syscall(SYS_readlink, link, path, sizeof path - 1); // readlink() would notify the recording
   path[size > 0 ? size : 0] = 0;
 }
 
@@ -250,7 +250,7 @@ bool starts_process(long number, long const (&arguments)[6]) {
   return number == SYS_clone3 && (*reinterpret_cast<std::uint64_t const *>(arguments[0]) & CLONE_THREAD) == 0;
 }
 
-// `closed`: the path of what the call has closed.
+// `closed`: the path of the file that the call has closed.
 void note(long number, long const (&arguments)[6], long result, char const *closed) {
   if (starts_process(number, arguments)) number = SYS_fork;
   Call const *row = row_of(number);
@@ -426,7 +426,7 @@ Effect effect_of(Noted const &one) {
 void end_calls(std::vector<Effect> &effects) {
   selector = allow;
   is_watching = false;
-  if (!std::exchange(has_begun, false)) return; // what was noted before a thread began counts
+  if (!std::exchange(has_begun, false)) return; // notes from before a thread began count
   prctl(PR_SET_SYSCALL_USER_DISPATCH, 0, 0, 0, 0);
   give_back_handler();
   compare_signals(effects);

@@ -20,13 +20,13 @@ struct Effect {
   bool operator==(Effect const &) const = default;
 };
 
-// Begins; what is done by OwnWork does not count.
+// Begins to watch; effects of OwnWork do not count.
 void watch_world();
-// A library function changes what it keeps for the whole program; `what` lives as long.
+// A library function changes program-wide state of the library; `what` lives as long.
 void note_effect(char const *what);
-// Such a function gives a result; the name lives as long.
+// A library function returns such state; the name lives as long.
 void note_result(char const *function);
-// Ends, and tells each effect once. `discard`: what is still in buffers is not written in truth.
+// Ends the watch and returns each effect once. `discard`: buffered output is not written.
 std::vector<Effect> effects_on_world(bool discard = false);
 
 } // namespace symreal::trace

@@ -79,9 +79,9 @@ void watch_for_crashes() {
   if (is_watching || record_directory().empty() || name.size() >= sizeof file) return;
   is_watching = true;
   name.copy(file, name.size());
-  (void)call_stack(); // what unwinding allocates, it allocates now
+  (void)call_stack(); // unwinding allocates at its first use
   constexpr std::size_t stack_size = 1 << 16;
-  static char stack[stack_size]; // an overflow leaves none of its own
+  static char stack[stack_size]; // after an overflow the thread's own is full
   stack_t const alternative = {.ss_sp = stack, .ss_flags = 0, .ss_size = stack_size};
   sigaltstack(&alternative, nullptr);
   for (int number : {SIGSEGV, SIGBUS, SIGILL, SIGFPE, SIGABRT}) watch(number);

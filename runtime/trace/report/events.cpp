@@ -16,10 +16,10 @@ namespace symreal::trace {
 
 namespace {
 
-// What is met at a place, counted, in the order of the first meetings.
+// Repeated reports, counted by place, in the order of their first occurrence.
 class Meetings {
 public:
-  // Whether this is the first.
+  // Returns whether this is the first at the place.
   bool add(std::string const &condition, std::vector<std::uintptr_t> const &stack) {
     auto [found, is_new] = at_.try_emplace(stack);
     if (found->second.count++ != 0) return false;

@@ -1,6 +1,6 @@
-// What the recording tells the driver: lines of tab-separated fields in the file `events` of $SYMREAL_RECORD, written
-// anew at each kernel's begin and end and at exit. A program that was started by hand has no such directory; then
-// diagnostics are printed.
+// Events that the recording reports to the driver: lines of tab-separated fields in the file `events` of
+// $SYMREAL_RECORD, rewritten at each kernel's begin and end and at exit. A program started by hand has no such
+// directory and prints its diagnostics.
 //
 //   started     kernel
 //   kernel      name  N.graph  output file
@@ -29,19 +29,19 @@ std::string hexadecimal(std::vector<std::uintptr_t> const &addresses); // separa
 void event(std::initializer_list<std::string> fields);
 void report(Diagnostic const &diagnostic);
 void report_here(DiagnosticId id, std::string const &message);
-// From a signal handler: at the interrupted instruction, or, if that tells of it late, at instruction `delayed`.
+// Reports from a signal handler: at the interrupted instruction, or at `delayed` if the signal was delivered late.
 // Repetitions are counted.
 void report_interrupted(DiagnosticId id, std::string const &message, std::uintptr_t delayed = 0);
 // A decision on a symbolic value at the caller's place; repetitions are counted.
 void report_decision(std::string const &condition);
-// A decision whose outcome a pragma answers for: the driver warns of it.
+// A decision whose outcome a pragma accepts: the driver warns of it.
 void report_carried(std::string const &condition);
 // A condition at the caller's place that needs no decision: the driver remarks on it.
 void report_settled(std::string const &condition);
 bool anything_wrong();
-// This process executes an arm for another one (decisions/join.h): what it tells is for nobody, for now.
+// Keeps the events of a process that executes an arm for another one (decisions/join.h) instead of writing them.
 void keep_events(bool are_kept);
-// How much was told so far, but for what is settled.
+// Number of events so far, except settled conditions.
 std::size_t told();
 bool has_told(std::string const &kind);
 

@@ -1,8 +1,8 @@
-// The allocation functions of the C library, replaced in the whole program, so that a recording knows which memory is
-// its own, and a memory image which blocks there are. Linked only where it is asked for (-u symreal_heap_hooks): a
-// sanitizer brings its own.
+// Hooks for the allocation functions of the C library, in the whole program, so that a recording knows its own memory,
+// and a memory image the blocks of the heap. Linked on request only (-u symreal_heap_hooks): a sanitizer brings its
+// own.
 //
-// Weak, so that a program with an allocator of its own links; the recording notices that it is not told.
+// Weak, so that a program with an allocator of its own links; the recording notices the missing reports.
 #include "runtime/memory/heap_blocks.h"
 #include "runtime/trace/state/state.h"
 

@@ -1,6 +1,6 @@
-// Functions that the compiler calls around the initialisation of a static variable of a function, replaced in the whole
-// symbolic program: what such a variable holds at its end belongs to the first call, what is written later to the call
-// that does.
+// Hooks for the functions that the compiler calls around the initialisation of a function-local static variable, in the
+// whole symbolic program: the variable's value at the end of it belongs to the first call, later writes to their own
+// calls.
 //
 // Weak, so that a program with functions of such names has its own.
 #include "runtime/memory/heap_blocks.h"

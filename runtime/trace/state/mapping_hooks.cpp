@@ -1,5 +1,5 @@
-// The functions through which a program gets memory from the system by itself. They are replaced in the whole symbolic
-// program, as the heap's are; the heap gets its own memory by other names.
+// Hooks for the functions by which a program maps memory itself. They replace them in the whole symbolic program, like
+// the heap's; the heap gets its own memory by other names.
 //
 // Weak, so that a program with a function of such a name has its own.
 #include "runtime/memory/heap_blocks.h"

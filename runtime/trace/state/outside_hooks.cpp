@@ -1,7 +1,6 @@
-// What comes from outside of the program while a kernel is recorded, from clocks, files, the environment, or a
-// generator of random numbers, is baked in like other hidden state. The functions of the C library that it comes
-// through are replaced in the whole symbolic program and in the original, together with the heap's, and call the
-// library's.
+// Hooks for values that come from outside of the program while a kernel is recorded, from clocks, files, the
+// environment, or a random generator; they are baked in like other hidden state. The hooks replace functions of the C
+// library in the whole symbolic program and in the original, together with the heap's, and call the library's.
 //
 // Weak, so that a program with a function of such a name has its own.
 #include "engine/support/mutation/is_dropped.h"
@@ -39,7 +38,7 @@ template <class Result> void note(char const *name, [[maybe_unused]] Result resu
 
 } // namespace
 
-// What the runtime itself asks for while a kernel is recorded is no matter of the program's.
+// Whether the runtime itself asks: such values are not the program's.
 static bool is_of_runtime(char const *name) { return std::strncmp(name, "SYMREAL_", 8) == 0; }
 template <class... Arguments> static bool is_of_runtime(Arguments...) { return false; }
 
@@ -59,7 +58,7 @@ char symreal_outside_hooks = 0;
 #include "engine/support/outside.def"
 #undef OUTSIDE
 
-// Those with any number of arguments; the names are those that the headers of the C library give them.
+// Variadic functions, under the names that the headers of the C library give them.
 #define SCANNED(symbol)                                                                                                \
   int symreal_outside_##symbol(std::FILE *file, char const *format, ...) asm(#symbol);                                 \
   [[gnu::weak]] int symreal_outside_##symbol(std::FILE *file, char const *format, ...) {                               \

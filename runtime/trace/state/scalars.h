@@ -1,7 +1,7 @@
-// The scalars among the hidden state of a recording (symreal/numbers.h). Generated code does not compute with them:
-// what the kernel read of them is baked in, and what it changed is lost.
+// Scalars in the hidden state of a recording (symreal/numbers.h). Generated code does not compute with them: values
+// that the kernel reads are baked in, its changes are lost.
 //
-// Several may share a word of memory, so what is known about each is kept here rather than in the Shadow.
+// Several may share a word of memory, so their marks are kept here rather than in the Shadow.
 #pragma once
 
 #include <symreal/state.h>
@@ -16,7 +16,7 @@
 
 namespace symreal::trace {
 
-// Where the source names an object: literals of the program, or the name of a static object and its place.
+// Source name of an object: literals of the program, or the name and place of a static object.
 struct Site {
   std::string_view name, place;
   detail::Scope scope = detail::Scope::any;
@@ -34,7 +34,7 @@ public:
     bool is_written = false;
     bool is_scratch = false;
 
-    std::optional<double> value() const; // that it had when it was noted, if a number says it
+    std::optional<double> value() const; // when it was noted, if representable as a number
     bool is_lost() const { return (is_written || bits(scalar) != before) && !is_scratch; }
   };
   enum class First { read, written };
@@ -43,15 +43,15 @@ public:
   bool is_noted(void const *address) const { return index_.contains(address); }
   void note(ScalarObject scalar, Site const &site, First first);
   void change(void const *address);
-  // Bytes that share a word with others; whole words are marked in the Shadow.
+  // Marks bytes that share a word with others; whole words are marked in the Shadow.
   void annotate(void const *begin, std::size_t size);
   bool is_annotated(ScalarObject scalar) const;
-  // What is left in these bytes does not matter.
+  // Marks these bytes as scratch: their final contents do not matter.
   void forget(void const *begin, std::size_t size);
   void forget(ScalarObject scalar);
   void move(void const *block, std::size_t size, void const *to);
 
-  // In the order in which the kernel met them.
+  // Scalars in the order in which the kernel met them.
   std::vector<Noted> const &noted() const { return noted_; }
 
 private:

@@ -1,6 +1,6 @@
-// What is known about each word of memory while a kernel is recorded: marks for every eight bytes that were met, in
-// pages made on demand. To be used in a Pause alone: a page that is allocated while the kernel is recorded would be
-// noted as the kernel's, here again, in the middle of an insertion.
+// Shadow memory of a recording: marks for every eight bytes that were met, in pages made on demand. Use it only within
+// a Pause: a page allocated while the kernel is recorded would be noted as the kernel's, in this same Shadow, in the
+// middle of an insertion.
 #pragma once
 
 #include <array>
@@ -17,14 +17,14 @@ constexpr Marks own = 1;        // the kernel's own memory, or known to be const
 constexpr Marks input = 2;      // input or parameter
 constexpr Marks constant = 4;   // declared to be baked in
 constexpr Marks output = 8;     // from its annotation on
-constexpr Marks scratch = 16;   // what is left there does not matter; known when the kernel ends
+constexpr Marks scratch = 16;   // its final contents do not matter; known when the kernel ends
 constexpr Marks noted = 32;     // read or written by the kernel, and outlives it
 constexpr Marks read = 64;      // ... read before it was written
 constexpr Marks written = 128;  // ... written
-constexpr Marks freed = 256;    // was given back since the kernel began
+constexpr Marks freed = 256;    // freed since the kernel began
 constexpr Marks named = 512;    // the first word of a static object whose name is known
-constexpr Marks changed = 1024; // ... of an object that is looked at again when the kernel ends
-constexpr Marks is_judged = own | input | output | noted; // what a read of it means is known
+constexpr Marks changed = 1024; // ... of an object that is checked again when the kernel ends
+constexpr Marks is_judged = own | input | output | noted; // the meaning of a read is known
 constexpr Marks may_be_read = is_judged | constant;
 constexpr Marks vouches = input | constant | output | scratch; // for the number of elements around it
 constexpr Marks may_be_left = output | scratch | freed;
@@ -42,7 +42,7 @@ public:
   void set(void const *begin, std::size_t size, Marks marks) {
     each(begin, size, [marks](Marks &here) { here = marks; });
   }
-  // Memory that moved takes its marks along.
+  // Memory that moves takes its marks along.
   std::vector<Marks> copy(void const *begin, std::size_t size);
   void paste(void const *begin, std::vector<Marks> const &marks);
   void clear();

@@ -30,7 +30,7 @@ void State::begin(void const *frame) {
   *this = {};
   find_own_stack(frame);
   constant_memory_ = find_constant_memory();
-  // Are we told of what is allocated?
+  // Tests whether the heap hooks are active.
   detail::recording = true;
   void *(*volatile allocate)(std::size_t) = std::malloc;
   void *block = allocate(sizeof(double));
@@ -77,7 +77,7 @@ void State::chosen(void const *begin, std::size_t size) {
   }
 }
 
-// Does what lies there outlive the kernel, so that others may change or read it?
+// Whether the memory outlives the kernel, so that other code may change or read it.
 bool State::outlives(void const *address) {
   if ((shadow_.at(address) & mark::own) != 0) return false;
   bool const constant = is_constant(address) && !is_chosen(address);
@@ -87,7 +87,7 @@ bool State::outlives(void const *address) {
   return !constant && !unknown;
 }
 
-// As the source has it: a name of C that means something else in C++ gets another one (SYMREAL_REAL_NAME).
+// Name in the source: a name of C that means something else in C++ is renamed (SYMREAL_REAL_NAME).
 static std::string_view source_name(std::string_view name) {
   std::size_t const at = name.find("REAL_NAME(");
   if (at == name.npos || !name.ends_with(')')) return name;
@@ -116,7 +116,7 @@ State::Read &State::read_at(Site const &site) {
 }
 
 void State::read(RealNumber const *number, char const *name, char const *place) {
-  // A constant may be read; that it still is what it was shows when the kernel ends.
+  // A constant may be read; a change of it is detected when the kernel ends.
   Marks const judged = is_dropped("constant_changed") ? mark::may_be_read : mark::is_judged;
   if ((shadow_.at(number) & judged) != 0 || !outlives(number)) return;
   shadow_.add(number, sizeof *number, mark::noted);
@@ -248,7 +248,7 @@ void State::input(RealNumber const *number, std::string const &label, Place cons
 
 void State::member(ScalarObject scalar, std::string const &label, Place const &place) {
   if (!members_.insert(scalar.address).second) return;
-  // Where the kernel reads it, it is its own: an argument by value.
+  // A scalar of an argument by value is read as the kernel's own.
   if (detail::on_own_stack(scalar.address) || is_private(site_of(scalar.address, "", ""))) {
     Frozen &copy = copies_.try_emplace(label, Frozen{label, place, {}}).first->second;
     if (std::optional<double> const value = Scalars::value_of(scalar)) copy.values.push_back(*value);
@@ -305,8 +305,8 @@ void State::report_lost(Site const &site) {
           "the kernel writes '" + std::string(site.name) + "', which is not an output"});
 }
 
-// Nothing that is left in this object is lost, nor in the blocks of the heap that can be reached from it: what owns
-// them, a container, a smart pointer, a plain pointer to what is hidden elsewhere, cannot be told from the bytes.
+// Marks the object and the heap blocks reachable from it as scratch: ownership, by a container, a smart pointer or a
+// plain pointer, cannot be read from the bytes.
 void State::leave(memory::Known object, std::vector<memory::HeapBlock> const &blocks) {
   std::vector<memory::Known> const all = image_ ? image_->owned(object, blocks) : std::vector<memory::Known>{object};
   for (memory::Known const &one : all) {
@@ -320,7 +320,7 @@ void State::leave(memory::Known object, std::vector<memory::HeapBlock> const &bl
   }
 }
 
-// Nothing that a scratch object holds is lost.
+// Marks all scratch objects: their final contents are not lost state.
 void State::mark_scratch() {
   std::vector<memory::HeapBlock> const blocks = memory::heap_blocks();
   for (auto const &[begin, object] : names_)
@@ -342,7 +342,7 @@ void State::mark_scratch() {
   }
 }
 
-// The caller sees what became of its inputs.
+// The caller sees changed inputs.
 void State::judge_inputs() {
   for (Input const &one : inputs_) {
     bool const is_own = detail::on_own_stack(one.number) || (shadow_.at(one.number) & mark::own) != 0 ||
@@ -358,7 +358,7 @@ void State::judge_inputs() {
   }
 }
 
-// Is a part of this container annotated? Then the number of its elements shows.
+// Whether a part of this container is annotated, so that its number of elements shows.
 bool State::vouches(void const *container) {
   struct {
     State &state;
@@ -410,13 +410,13 @@ void State::warn_overlooked() const {
           "allocator of its own"});
 }
 
-// Which function a pointer leads to, and what an object of a library holds, are not told.
+// Adds the known values; targets of function pointers and contents of library objects are unknown.
 static void add_known(std::vector<double> &values, std::vector<std::optional<double>> const &scalars) {
   for (std::optional<double> const &scalar : scalars)
     if (scalar) values.push_back(*scalar);
 }
 
-// What was read keeps the value that it had then, unless it has changed.
+// State that was read freezes its value at that time, unless it has changed since.
 void State::judge_reads(std::vector<Frozen> &frozen) {
   for (auto &[site, read] : reads_) {
     Frozen state{std::string(site.name), written_place(site.place), {}, site.scope == detail::Scope::around, false,
@@ -493,7 +493,7 @@ std::vector<Frozen> State::end(Place const &kernel, bool has_guards) {
   judge_writes();
   judge_memory(kernel);
   image_.reset();
-  // In which order operands are evaluated is the compiler's choice.
+  // Sorted, since the order of operand evaluation is the compiler's choice.
   std::sort(frozen.begin(), frozen.end(), [](Frozen const &a, Frozen const &b) {
     return std::tie(a.place.file, a.place.line, a.place.column, a.name) <
            std::tie(b.place.file, b.place.line, b.place.column, b.name);

@@ -1,5 +1,5 @@
-// Hidden state of a recording: objects that live longer than the kernel and that it reads or changes. What they hold is
-// baked in, or lost, unless annotated. <symreal/state.h> says what is told here, and when.
+// Hidden state of a recording: objects that outlive the kernel and that it reads or changes. Their values are baked in,
+// or lost, unless annotated. <symreal/state.h> describes the notes and their order.
 #pragma once
 
 #include "engine/graph/graph.h"
@@ -21,7 +21,7 @@
 
 namespace symreal::trace {
 
-// What one process has learned of the state, for another that goes on for both (state_journal.cpp).
+// A fact about the state that one process has learned, for another that goes on for both (state_journal.cpp).
 struct StateNote {
   enum class Kind { named, read, read_scalar, written, written_scalar, changed, taken_back, kept } kind;
   void const *object;
@@ -36,18 +36,18 @@ class State {
 public:
   static State &current(); // one per thread
 
-  // From now on what is learned is noted, too.
+  // Starts the journal of learned facts.
   void begin_journal();
   std::vector<StateNote> const &journal() const { return journal_; }
-  // Whether something was learned that cannot be told by notes.
+  // Whether notes can express all that was learned.
   bool is_journal_complete() const { return !has_met_outside_; }
-  // The same, learned by another process. False where the two do not go together.
+  // Applies the notes of another process. False if they contradict this one's.
   bool learn(std::vector<StateNote> const &notes);
 
   // `frame`: of the function in which the kernel begins; its locals are the kernel's own.
   void begin(void const *frame);
 
-  // A reference to an object of static storage duration: from here on its numbers go by this name.
+  // A reference to an object of static storage duration: its numbers go by this name from here on.
   void named(void const *object, std::size_t size, detail::Scope scope, char const *name, char const *place);
   // A local of the function around the kernel, or a parameter of its own.
   void local(void const *object, std::size_t size, detail::Scope scope, char const *name, char const *place);
@@ -64,10 +64,10 @@ public:
   void const *other_range_end(void const *end, bool is_last, char const *place);
   void constant(void const *begin, std::size_t size);
   void constant_with_owned(void const *begin, std::size_t size); // and the blocks of the heap behind it
-  // A scalar of a structure that is annotated: it is baked in, which is known.
+  // A scalar of an annotated structure: it is knowingly baked in.
   void member(ScalarObject scalar, std::string const &label, Place const &place);
   void input(RealNumber const *number, std::string const &label, Place const &place);
-  // Whether the kernel wrote it, as far as is known, or it is an input. If not, it holds what it held before.
+  // Whether the number is an input or known to be written by the kernel. If not, it still holds its old value.
   bool output(RealNumber const *number);
   void scratch(void const *object, std::size_t size, detail::Visit visit);
   // An object that the kernel hands over as a whole: its own bytes may change.
@@ -75,33 +75,33 @@ public:
     handed_over_.push_back({static_cast<char const *>(object), size});
   }
   void scratch_file(char const *file) { scratch_files_.insert(file); }
-  // For arms that are both executed (<symreal/branch.h>). Is it somewhere that outlives the kernel, and not met yet?
+  // For arms that are both executed (<symreal/branch.h>): whether the number outlives the kernel and was not met yet.
   bool is_foreign(RealNumber const *number);
   bool take_written(RealNumber const *number);
   void was_written(RealNumber const *number) { shadow_.add(number, sizeof *number, mark::noted | mark::written); }
-  // The value that it had before it was written is part of the result.
+  // Makes the number's value before the write part of the result.
   void keep(RealNumber const *number, double value);
 
-  // A function gave this, which comes from outside of the program (outside_hooks.cpp).
+  // Values of a function that come from outside of the program (outside_hooks.cpp).
   void outside(std::string const &name, std::vector<double> const &values);
 
-  // Told by the compiler's guards (initialisation_hooks.cpp): a static variable of a function is initialised.
+  // Called by the compiler's guards (initialisation_hooks.cpp): a function-local static variable is initialised.
   void begin_initialisation(void const *guard) { initialisations_.push_back({guard}); }
   void end_initialisation(void const *guard);
   void give_up_initialisation(void const *guard);
-  // The path goes by a symbolic value: what is initialised on it depends on that.
+  // The path depends on a symbolic value, and so do initialisations on it.
   void decided();
 
-  // Told by the heap (heap_hooks.cpp).
+  // Called by the heap (heap_hooks.cpp).
   void allocated(void *block, std::size_t size);
   void released(void *block, std::size_t size);
   void moved(void *block, std::size_t size, void *to, std::size_t new_size);
 
-  // What is baked in. Reports state that was written and is no output, and makes its numbers ordinary again.
+  // Returns the state that is baked in, reports written state that is not an output, and makes its numbers plain.
   // `kernel`: its place. `has_guards`: other inputs may take another path through the program than this one.
   std::vector<Frozen> end(Place const &kernel = {}, bool has_guards = false);
-  // Of a program that tells nothing of what it reads and writes: nothing is reported, the numbers in all that has
-  // changed are ordinary again.
+  // Ends the kernel of a program without notes on reads and writes: makes the numbers in all changed memory plain and
+  // reports nothing.
   void end_untold();
 
 private:
@@ -158,7 +158,7 @@ private:
   Site site_of(void const *address, char const *name, char const *place) const;
   Read &read_at(Site const &site);
   void add_read(RealNumber const *number, double value, Site const &site);
-  // Marks it as written; whether it outlives the kernel, and that was news.
+  // Marks the bytes as written; whether they outlive the kernel and were not marked before.
   bool is_first_write(void const *address, std::size_t size);
   bool may_be_left(void const *address) { return (shadow_.at(address) & mark::may_be_left) != 0; }
   void make_plain(RealNumber const *number);
@@ -177,7 +177,7 @@ private:
   std::string name_of(memory::Change const &change) const;
   bool holds_input(memory::Known object) const;
   bool was_written_by_kernel(RealNumber const *number, double value) const;
-  // The kernel's own, though it may lie with its caller: what is left in it does not matter.
+  // Whether the object is the kernel's own, though it may lie with its caller: its final contents do not matter.
   static bool is_private(Site const &site) {
     return site.scope == detail::Scope::around || site.scope == detail::Scope::parameter;
   }

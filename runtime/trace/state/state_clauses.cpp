@@ -1,5 +1,5 @@
-// The finished clauses for what a kernel reads and leaves, as far as it has names that its pragma can use: variables of
-// namespaces and files, and inputs.
+// Suggested clauses for a kernel's state, as far as its pragma can name it: variables of namespaces and files, and
+// inputs.
 #include "runtime/memory/static_objects.h"
 #include "runtime/trace/report/events.h"
 #include "runtime/trace/state/state.h"
@@ -18,8 +18,8 @@ bool is_local(StaticObject const &object) {
          (!object.name.starts_with("_Z") && object.name.find('.') != std::string::npos);
 }
 
-// Not where a kernel is a call, on the command line or in the configuration: its items are names of the function's
-// file.
+// Whether the place is in a source. A kernel that is a call, on the command line or in the configuration, has items
+// that are names of the function's file.
 bool is_source(std::string_view file) { return !file.starts_with("--") && !file.ends_with(".yaml"); }
 
 std::string list(std::set<std::string> const &names) {

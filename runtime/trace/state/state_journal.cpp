@@ -1,4 +1,4 @@
-// What two processes have learned of the state on their ways to one place, as if one had gone both ways.
+// Journal of the state: merges the facts that two processes have learned on their ways to one place.
 #include "runtime/trace/state/state.h"
 
 #include <algorithm>

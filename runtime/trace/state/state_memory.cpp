@@ -1,5 +1,5 @@
-// The memory that outlives a kernel, compared with what it was: text, bytes, and all that code which was not rewritten
-// has written there. Such code tells the State nothing.
+// Comparison of the memory that outlives a kernel with its snapshot: finds text, bytes, and all writes of code that was
+// not rewritten and so does not notify the State.
 #include "engine/support/mutation/is_dropped.h"
 #include "runtime/trace/nodes/externals.h"
 #include "runtime/trace/nodes/pool.h"
@@ -32,7 +32,7 @@ std::string readable(std::string const &linkers_name) {
 
 } // namespace
 
-// All that was told and judged, and what an object that is scratch owns.
+// Memory with notified and judged changes, and memory that scratch objects own.
 std::vector<memory::Known> State::known_changes() {
   std::vector<memory::Known> known;
   auto const add = [&known](void const *begin, std::size_t size) { // elements of an array stand in order
@@ -89,7 +89,7 @@ static bool is_of_driver(std::string const &name) {
   return name.starts_with("_ZZ") && name.find("symreal_call_") != name.npos;
 }
 
-// Nodes in the object or in what it owns, or a pointer in it to what the caller has on its stack, or to an input.
+// Whether the object or what it owns holds nodes, or it points to its caller's stack or to an input.
 bool State::holds_input(memory::Known object) const {
   if (!image_) return false;
   std::vector<memory::Known> const owned = image_->owned(object, memory::heap_blocks());
@@ -125,7 +125,7 @@ void State::give_up_initialisation(void const *guard) {
   std::erase_if(initialisations_, [guard](Initialisation const &one) { return one.guard == guard; });
 }
 
-// From here on the object is like any other: what is changed in it is state.
+// An initialised object is like any other: later changes in it are state.
 void State::end_initialisation(void const *guard) {
   auto const found = std::ranges::find(initialisations_, guard, &Initialisation::guard);
   if (found == initialisations_.end()) return;
@@ -157,8 +157,8 @@ void State::report_initialised(memory::Change const &object, Place const &kernel
        "the first call initialises static '" + name_of(object) + "' from its inputs, and later calls keep this value"});
 }
 
-// A later call finds the object as the first call has made it, whatever its own inputs are. Unless a guard told of the
-// end of its initialisation, its value at the end of the kernel is judged.
+// A later call finds the object as the first call has initialised it, whatever its own inputs are. Without a guard that
+// marks the end of its initialisation, its value at the end of the kernel is judged.
 void State::judge_initialised(Place const &kernel) {
   if (!image_) return;
   for (Initialisation const &one : initialised_)
@@ -170,7 +170,7 @@ void State::judge_initialised(Place const &kernel) {
 
 void State::judge_memory(Place const &kernel) {
   if (!image_ || is_dropped("memory")) return;
-  // An external function may keep what it likes.
+  // An external function may keep state of its own.
   bool const calls_externals = !Externals::current().functions().empty();
   for (memory::Change const &change : image_->changes(known_changes())) {
     auto const named = names_.find(change.object);

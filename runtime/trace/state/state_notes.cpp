@@ -1,4 +1,4 @@
-// What the macros of a rewritten program tell: on to the State of the thread.
+// Entry points of the macros in a rewritten program, which forward to the State of the thread.
 #include "runtime/memory/object_end.h"
 #include "runtime/memory/own_memory.h"
 #include "runtime/trace/state/state.h"
@@ -81,7 +81,7 @@ void check_part(void const *begin, std::size_t first, std::size_t count, char co
 
 void check_view(void const *begin, char const *name, char const *place) noexcept {
   Pause const pause;
-  // Of the kernel's own part of the stack no more is looked at: what its callers have there is another matter.
+  // The view ends at the kernel's own part of the stack: its callers' objects beyond it are not checked.
   auto const first = reinterpret_cast<std::uintptr_t>(begin);
   std::uintptr_t const end =
       on_own_stack(begin) ? own_stack + own_stack_size : reinterpret_cast<std::uintptr_t>(memory::object_end(begin));

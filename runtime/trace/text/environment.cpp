@@ -47,7 +47,7 @@ void Environment::used(char const *what, char const *place) {
 std::string Environment::unusual_modes() {
   bool rounds_to_nearest = std::fegetround() == FE_TONEAREST, has_subnormals = true;
 #ifdef __SSE2__
-  // Where arithmetic is done; fegetround asks the x87 unit.
+  // Modes of the SSE unit, which does the arithmetic; fegetround asks the x87 unit.
   constexpr unsigned rounding = 0x6000, flush_to_zero = 0x8000, denormals_are_zero = 0x0040;
   unsigned const control = _mm_getcsr();
   rounds_to_nearest = rounds_to_nearest && (control & rounding) == 0;

@@ -1,4 +1,4 @@
-// errno and the floating-point environment of a recording (<symreal/environment.h> says what is told here).
+// errno and the floating-point environment of a recording (<symreal/environment.h> describes the notes).
 #pragma once
 
 #include <set>
@@ -15,7 +15,7 @@ public:
   void error_written() { is_error_own_ = true; }
   void used(char const *what, char const *place);
 
-  // How arithmetic differs from what is promised about it: "does not round to nearest"; empty if it does not.
+  // Deviation of the arithmetic from its premises: "does not round to nearest"; empty without one.
   static std::string unusual_modes();
 
 private:

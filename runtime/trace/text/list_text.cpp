@@ -45,7 +45,7 @@ struct Directive {
   std::string width, precision;
   bool has_precision = false;
   std::optional<std::size_t> width_at, precision_at, argument_at;
-  char conversion = 0; // none: the end of the text
+  char conversion = 0; // 0: the end of the text
 };
 
 Kind kind_of(Directive const &directive) {
@@ -78,7 +78,7 @@ Kind kind_of(Directive const &directive) {
   case 'S':
   case 'p':
   case 'n': return Kind::pointer;
-  default: return Kind::none; // % and m take none
+  default: return Kind::none; // % and m take no argument
   }
 }
 

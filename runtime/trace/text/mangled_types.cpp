@@ -1,5 +1,5 @@
-// A name is read into nodes and printed again. Substitutions (S_, S0_, ...) count what stands before, so all that
-// could be one is a node, and has a key: its name in full.
+// Mangled names are parsed into nodes and printed again. Substitutions (S_, S0_, ...) count the components before them,
+// so each component is a node with a key: its name in full.
 #include "runtime/trace/text/mangled_types.h"
 
 #include <algorithm>
@@ -77,7 +77,7 @@ private:
     return node;
   }
 
-  // A name within a scope, or what stands for it in the original.
+  // A name within a scope, or its counterpart in the original.
   Node const *within(Node const *scope, Pieces pieces, bool is_arguments) {
     std::string key = (scope ? scope->key + "|" : "") + key_of(pieces);
     is_replaced_ = true;
@@ -129,7 +129,7 @@ private:
     if (std::string_view("nacisuefdh").find(next(1)) == std::string_view::npos) throw Unread();
     return word(take(2));
   }
-  // So many letters, a number if there is one, and an underscore: T_, T0_, ...
+  // Parses so many letters, an optional number, and an underscore: T_, T0_, ...
   std::string numbered(std::size_t letters) {
     std::string text = take(letters);
     text += take_while(digits);
@@ -296,7 +296,7 @@ private:
   std::string_view text_;
   std::deque<Node> nodes_;
   std::vector<Node const *> known_;
-  bool is_replaced_ = false; // what was made last
+  bool is_replaced_ = false; // the last node
   bool in_encoding_ = false;
   std::string qualifiers_; // of a member function
 };
@@ -353,7 +353,7 @@ private:
     text += 'S' + number(static_cast<std::size_t>(at - known_.begin())) + '_';
     return true;
   }
-  // The first has none.
+  // Sequence id of a substitution: empty for the first, else base 36.
   static std::string number(std::size_t index) {
     if (index == 0) return "";
     std::string digits;

@@ -7,9 +7,9 @@
 
 namespace symreal::trace {
 
-// The name, as typeid gives it, of the same type in the original: d for a RealNumber, St6vectorIdSaIdEE for a vector of
-// them. Nothing where it has a part that this does not read, or that the rewriter may have changed: an expression, the
-// type of a lambda.
+// typeid's name of the same type in the original: d for a RealNumber, St6vectorIdSaIdEE for a vector of them. Nullopt
+// if it has a part that the reader does not support, or that the rewriter may have changed: an expression, the type of
+// a lambda.
 std::optional<std::string> original_type_name(std::string_view mangled);
 
 } // namespace symreal::trace

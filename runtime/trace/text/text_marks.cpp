@@ -105,7 +105,7 @@ void TextMarks::made_stream(std::ios const &stream, RealNumber value) {
   if (dynamic_cast<std::filebuf *>(stream.rdbuf())) in_some_file_ = value;
 }
 
-// Text in functions that have returned is no more.
+// Drops text in the frames of functions that have returned.
 void TextMarks::drop_left() {
   auto const here = reinterpret_cast<std::uintptr_t>(__builtin_frame_address(0));
   std::erase_if(written_, [here](auto const &one) {
@@ -113,7 +113,7 @@ void TextMarks::drop_left() {
   });
 }
 
-// What was written there and has not changed since.
+// The number that was printed into this text and is unchanged since; 0 without one.
 RealNumber TextMarks::value_at(char const *text, std::size_t size) {
   drop_left();
   for (auto at = written_.upper_bound(text + size - 1); at != written_.begin();) {

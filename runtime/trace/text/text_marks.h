@@ -1,8 +1,8 @@
-// Text of symbolic values that a kernel has made and could read back (<symreal/text.h> says what is told here).
+// Text of symbolic values that a kernel has made and could read back (<symreal/text.h> describes the notes).
 //
-// Text is known by where it was written, which single characters are judged by, and by what it says, which stays when
-// the program copies it into strings: a number of three characters or more, or as many of its first digits, is found in
-// any text, a shorter one where it is all of it.
+// Text is identified by its address, for single characters, and by its contents, which survive copies into strings: a
+// number of three characters or more, or as many of its first digits, is found in any text, a shorter one only if it is
+// all of the text.
 #pragma once
 
 #include <symreal/text.h>
@@ -27,12 +27,12 @@ public:
   void made_file(std::FILE *file, RealNumber value);
   void made_stream(std::ios const &stream, RealNumber value);
 
-  // The value that is in it, or 0: in what was written there, in any text that says the same.
+  // The value printed there, or in any text with the same contents; 0 without one.
   RealNumber value_at(char const *text, std::size_t size);
   RealNumber value_in(char const *text, std::size_t size);
   RealNumber value_in_file(std::FILE *file);
   RealNumber value_in_stream(std::ios const &stream);
-  // Text of a value that is there already, and whose characters may be looked at.
+  // Existing text of a value, whose characters may be read.
   void look(char const *text, std::size_t size);
 
   void report_read(std::string const &what, RealNumber value, char const *place);
@@ -51,7 +51,7 @@ private:
   std::map<std::string, RealNumber, std::less<>> texts_;
   std::map<std::FILE *, RealNumber> files_;
   std::map<std::pair<std::uint64_t, std::uint64_t>, RealNumber> inodes_; // device and number
-  RealNumber in_some_file_ = 0.0;                                        // of an ofstream, which does not tell
+  RealNumber in_some_file_ = 0.0;                                        // of an ofstream, whose writes are not seen
   RealNumber last_ = 0.0;
   std::set<std::string> reported_; // places
 };

@@ -1,5 +1,5 @@
-// The runtime's classes have the names of what they stand for: the texts that typeid gives are overwritten, so that
-// whatever reads them, be it a library, finds the original's.
+// Names of the runtime's classes: the texts that typeid returns are overwritten with the original's type names, so that
+// all readers, libraries included, find these.
 #include "runtime/memory/own_memory.h"
 #include "runtime/trace/report/events.h"
 #include "runtime/trace/report/written_place.h"
@@ -49,7 +49,7 @@ namespace detail {
 
 using trace::Pause;
 
-// `place`: where its name, hash or order is asked for; none where it is but compared.
+// `place`: of the request for its name, hash or order; null for a mere comparison.
 void give_name(char const *mangled, char const *place) noexcept {
   bool const reports = place && recording, is_ours = trace::is_of_numbers(mangled);
   if (!is_ours && !(reports && trace::is_of_lambda(mangled))) return;

@@ -9,7 +9,7 @@ namespace symreal::trace::x86_64 {
 namespace {
 
 enum class Encoding { legacy, vex, evex };
-// What stands before the opcode, whichever of the three encodings says it.
+// Prefixes of an instruction, in any of the three encodings.
 struct Head {
   Encoding encoding = Encoding::legacy;
   unsigned map = 1; // 1: 0F, 2: 0F 38, 3: 0F 3A
@@ -148,7 +148,7 @@ private:
       unsigned const high = head_.encoding == Encoding::evex ? head_.index_high << 1 : 0;
       return {false, rm | head_.base_high | high, 0, lanes};
     }
-    // EVEX: a displacement of one byte counts in units of what is read.
+    // EVEX: a displacement of one byte counts in units of the memory operand.
     if (head_.broadcast) lanes = 1;
     std::uint64_t const unit = head_.encoding == Encoding::evex ? lanes * 8 : 1;
     std::uint64_t address = 0;

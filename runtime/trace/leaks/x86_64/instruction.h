@@ -1,5 +1,5 @@
-// What a floating-point instruction of x86-64 reads: as much of the encoding of SSE, AVX and AVX-512 as it takes to
-// find the operands in double precision of an instruction that raised FE_INVALID. x87 instructions are not among them.
+// Decoder for the operands of x86-64 floating-point instructions: as much of SSE, AVX and AVX-512 as it takes to find
+// the double-precision operands of an instruction that raised FE_INVALID. x87 instructions are not decoded.
 #pragma once
 
 #include <array>
@@ -9,10 +9,10 @@
 
 namespace symreal::trace::x86_64 {
 
-// The registers that an address is made of.
+// The registers that form an address.
 struct AddressRegisters {
   std::array<std::uint64_t, 16> general; // in the order of their encoding: rax, rcx, rdx, rbx, rsp, rbp, rsi, rdi, r8..
-  std::uint64_t instruction = 0;         // rip: where the instruction begins
+  std::uint64_t instruction = 0;         // rip: address of the instruction
   std::uint64_t thread = 0;              // base of segment fs: objects with thread storage duration
 };
 
@@ -20,17 +20,17 @@ struct AddressRegisters {
 struct Operand {
   bool in_memory;
   unsigned vector;       // the number of the vector register
-  std::uint64_t address; // where it is in memory
+  std::uint64_t address; // of a memory operand
   unsigned lanes;
 };
 
 struct Instruction {
   unsigned length;
-  std::vector<Operand> sources;        // none where the instruction reads no doubles
+  std::vector<Operand> sources;        // empty if the instruction reads no doubles
   std::optional<unsigned> destination; // the vector register that it writes
 };
 
-// Nothing, where this is no instruction that we know to raise FE_INVALID.
+// Nullopt unless the instruction is known to raise FE_INVALID.
 std::optional<Instruction> decode(std::uint8_t const *code, AddressRegisters const &registers);
 
 } // namespace symreal::trace::x86_64

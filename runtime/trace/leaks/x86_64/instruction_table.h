@@ -1,4 +1,4 @@
-// The instructions of SSE, AVX and AVX-512 that raise FE_INVALID, and what they read.
+// Instructions of SSE, AVX and AVX-512 that raise FE_INVALID, with their operands.
 #pragma once
 
 namespace symreal::trace::x86_64 {
@@ -8,7 +8,7 @@ enum Prefix : unsigned { none, p66, pF3, pF2 };
 
 enum class Reads { rm, first_and_rm, reg_and_rm, all_three };
 enum class Writes { vector, other, other_if_F2 };
-// How many lanes: as the prefix says (F2: one), or as the opcode does.
+// Number of lanes: by the prefix (F2: one), or by the opcode.
 enum class Lanes { by_prefix, one, all, one_if_odd, fused };
 
 struct Row {

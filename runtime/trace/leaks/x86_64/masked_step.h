@@ -1,4 +1,4 @@
-// Executes one instruction with other operands and with FE_INVALID masked: in its place, up to the SIGTRAP that
+// Execution of one instruction with substituted operands and FE_INVALID masked: in place, up to the SIGTRAP that
 // follows.
 #pragma once
 
@@ -10,14 +10,14 @@ namespace symreal::trace::x86_64 {
 
 class MaskedStep {
 public:
-  // Where the operand's lane is now: in memory or in the saved state. Null for a register that is not in use.
+  // Address of the operand's lane, in memory or in the saved state. Null for a register that is not in use.
   static std::uint64_t *place(SavedState const &state, Operand const &operand, unsigned lane);
 
   void substitute(Instruction const &instruction, Operand const &operand, unsigned lane, std::uint64_t *place,
                   std::uint64_t value);
   void begin(SavedState &state);
   bool is_pending() const { return is_pending_; }
-  // After the instruction: the operands are what they were, but where it has left its result.
+  // Restores the operands after the instruction, except where it has written its result.
   void finish(SavedState &state, bool unmask);
 
 private:

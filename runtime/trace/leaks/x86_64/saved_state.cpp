@@ -7,11 +7,11 @@ namespace symreal::trace::x86_64 {
 
 namespace {
 
-// Behind the FXSAVE area, in the standard format of XSAVE.
+// Offset of the XSAVE header, behind the FXSAVE area, in the standard format.
 constexpr unsigned header = 512;
 enum Component : unsigned { ymm_high = 2, zmm_high = 6, zmm_upper16 = 7 };
 
-// Where a component lies is the processor's to say.
+// Offset of a component, which the processor reports.
 unsigned offset(Component component) {
   unsigned eax = 0, ebx = 0, ecx = 0, edx = 0;
   __cpuid_count(0xD, component, eax, ebx, ecx, edx);

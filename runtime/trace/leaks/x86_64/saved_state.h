@@ -1,5 +1,4 @@
-// The registers of an interrupted thread, as the kernel saved them for a signal handler and loads them again
-// afterwards.
+// Registers of an interrupted thread, as the kernel saved them for a signal handler and loads them again afterwards.
 #pragma once
 
 #include "runtime/trace/leaks/x86_64/instruction.h"
@@ -21,14 +20,14 @@ public:
   // The exception came from the x87 unit: it belongs to an instruction before this one.
   bool is_x87() const { return general(REG_TRAPNO) == 16; }
 
-  // A lane of a vector register; none where the register is not in use and holds zeros.
+  // A lane of a vector register; null if the register is not in use and holds zeros.
   std::uint64_t *lane(unsigned vector, unsigned lane) const;
 
   void mask_invalid() { fpu().mxcsr |= mxcsr_invalid_mask; }
   void unmask_invalid() { fpu().mxcsr &= ~mxcsr_invalid_mask; }
   void raise_invalid() { fpu().mxcsr |= invalid_flag; }
 
-  // Whether a SIGTRAP follows the next instruction.
+  // Sets whether a SIGTRAP follows the next instruction.
   void single_step(bool on) {
     constexpr greg_t trap_flag = 0x100;
     general(REG_EFL) = on ? general(REG_EFL) | trap_flag : general(REG_EFL) & ~trap_flag;

@@ -11,9 +11,9 @@
 #include <mutex>
 #include <xmmintrin.h>
 
-// A handler for what an instruction does is called at that instruction, in the middle of the program's own computing:
-// it may allocate memory and take locks as any function called there may. While it runs, Linux has every floating-point
-// exception masked.
+// Synchronous signal handlers: a handler is called at the faulting instruction, in the middle of the program's own
+// computation: it may allocate memory and take locks as any function called there may. While it runs, Linux has every
+// floating-point exception masked.
 namespace symreal::trace {
 
 using namespace x86_64;
@@ -29,7 +29,7 @@ std::mutex installation;
 unsigned users = 0; // threads that record
 struct sigaction previous_fpe, previous_trap;
 
-// What the program, or the system, would have done with the signal.
+// Handles a signal as the program, or the system, would have done.
 void pass_on(int number, siginfo_t *info, void *context) {
   struct sigaction const &action = number == SIGFPE ? previous_fpe : previous_trap;
   if ((action.sa_flags & SA_SIGINFO) != 0) {
@@ -137,7 +137,7 @@ void enable_trap() {
     install(SIGFPE, on_exception, previous_fpe);
     install(SIGTRAP, on_step, previous_trap);
   }
-  // Unmasking what the x87 unit has raised before would signal it.
+  // Unmasking would signal an exception that the x87 unit has raised before.
   was_raised = std::fetestexcept(FE_INVALID) != 0;
   std::feclearexcept(FE_INVALID);
   is_enabled = true;
@@ -146,7 +146,7 @@ void enable_trap() {
 
 bool disable_trap() {
   if (!is_enabled) return true;
-  asm volatile("fwait"); // the x87 unit says what it still has to say
+  asm volatile("fwait"); // delivers a pending exception of the x87 unit
   bool in_force = !set_masks(!program_unmasked);
   is_enabled = false;
   if (was_raised) _mm_setcsr(_mm_getcsr() | invalid_flag);

@@ -2,8 +2,8 @@
 
 #include <cstring>
 
-// Every x87 instruction, each followed by a return: at 4 * (256 * (opcode - D8) + modrm). Those with an operand in
-// memory are called with modrm for (%rdi).
+// All x87 instructions, each followed by a return: at 4 * (256 * (opcode - D8) + modrm). Those with a memory operand
+// are called with modrm for (%rdi).
 asm(R"(
   .pushsection .text
   .local symreal_x87_instructions

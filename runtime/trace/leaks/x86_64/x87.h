@@ -1,5 +1,5 @@
-// The x87 unit, which computes in long double. It reports an exception late: when its next instruction comes. Since the
-// operation itself was not carried out, it is carried out now.
+// Exceptions of the x87 unit, which computes in long double. It reports an exception late, at its next instruction, and
+// leaves the operation pending, which is then completed here.
 #pragma once
 
 #include "runtime/trace/leaks/x86_64/saved_state.h"
@@ -19,7 +19,7 @@ public:
 private:
   SavedState &state_;
   std::uintptr_t instruction_;
-  std::uint8_t opcode_, modrm_; // D8..DF and what follows
+  std::uint8_t opcode_, modrm_; // D8..DF and the next byte
   std::uintptr_t address_;      // of the operand, if that is in memory
 };
 
