@@ -5,9 +5,8 @@
 namespace symreal::tool {
 
 void add_cost_option(CLI::App &app, std::string &cost) {
-  app.add_option(
-         "--cost", cost,
-         "What an operation costs: unit (1), table (the table of operations), or a file of symreal measure-costs")
+  app.add_option("--cost", cost,
+                 "Cost of an operation: unit (1), table (the table of operations), or a file of symreal measure-costs")
       ->type_name("unit|table|FILE")
       ->capture_default_str();
 }
@@ -15,10 +14,10 @@ void add_cost_option(CLI::App &app, std::string &cost) {
 void AnalysisOptions::add_to(CLI::App &app) {
   add_cost_option(app, cost);
   CLI::Option *const of_units =
-      app.add_option("--units", units, "Level the operations for so many units that work at once")
+      app.add_option("--units", units, "Level the operations for this number of parallel units")
           ->check(CLI::Range(1U, 1U << 20))
           ->type_name("P");
-  app.add_option("--length", length, "Level them for this length, in the costs' unit (default: the span)")
+  app.add_option("--length", length, "Target length for levelling, in cost units (default: the span)")
       ->check(CLI::PositiveNumber)
       ->excludes(of_units);
 }

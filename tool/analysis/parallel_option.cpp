@@ -54,10 +54,10 @@ std::string parts_of(Sharing const &sharing) {
 
 void ParallelOption::add_to(CLI::App &app) {
   app.add_option("--parallel", threads,
-                 "C with OpenMP in which so many threads share an evaluation, where --cost says that it pays")
+                 "Emit C with OpenMP in which P threads share an evaluation if --cost shows that it pays")
       ->check(CLI::Range(2U, most_threads))
       ->type_name("P");
-  app.add_option("--cost", cost, "With --parallel: a file of symreal measure-costs")->type_name("FILE");
+  app.add_option("--cost", cost, "Costs for --parallel, from symreal measure-costs")->type_name("FILE");
 }
 
 void ParallelOption::require_sense(EmitterOptions const &emitter) const {

@@ -98,8 +98,7 @@ int run(Options &options, CLI::App &command, Session &session) {
 } // namespace
 
 void add_analyze(CLI::App &app, Session &session) {
-  CLI::App *command =
-      app.add_subcommand("analyze", "Tell how parallel a graph is: levels, critical path, work and span");
+  CLI::App *command = app.add_subcommand("analyze", "Show a graph's parallelism: levels, critical path, work and span");
   auto options = std::make_shared<Options>();
   command->add_option("files", options->files, "Graph text, as written by generate --graph; with --sweep: sources")
       ->required();
@@ -115,7 +114,7 @@ void add_analyze(CLI::App &app, Session &session) {
                    "Record a family of programs, with -DNAME=VALUE for each size, and fit how the figures grow")
       ->type_name("NAME=FIRST..LAST[:STEP]");
   command->add_flag("--sweep-argument", options->sweep_argument,
-                    "Hand the size to the program as its last argument, not to the compiler");
+                    "Pass the size to the program as its last argument, not to the compiler");
   options->source_group = command->add_option_group("Family", "How the sources of a family are built and run");
   options->source.add_to(*options->source_group);
   command->callback([options, command, &session] { session.status = run(*options, *command, session); });

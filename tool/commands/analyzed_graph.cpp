@@ -9,7 +9,7 @@ namespace symreal::tool {
 void add_passes_before_analysis(CLI::App &command, PassOptions &passes) {
   passes.add_to(command);
   passes.passes_option->description(
-      "Passes to run before (default: none on a graph, all on a family); symreal opt --help lists them");
+      "Passes to run first (default: none on a graph, all on a family); symreal opt --help lists them");
 }
 
 Graph analyzed_graph(CLI::App const &command, PassOptions const &passes, std::string const &file) {

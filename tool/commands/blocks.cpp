@@ -36,10 +36,10 @@ void run(Options const &options, CLI::App const &command) {
 
 void add_blocks(CLI::App &app, Session &session) {
   CLI::App *command = app.add_subcommand(
-      "blocks", "Cut the operations of a graph into blocks between which little crosses; tell whether threads pay");
+      "blocks", "Partition the operations of a graph into blocks with a small cut; report whether threads pay");
   auto options = std::make_shared<Options>();
   command->add_option("graph", options->file, "Graph text, as written by generate --graph")->required();
-  command->add_option("--blocks", options->blocks, "How many blocks")
+  command->add_option("--blocks", options->blocks, "Block count")
       ->required()
       ->check(CLI::Range(1U, 1U << 20))
       ->type_name("K");

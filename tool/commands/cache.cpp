@@ -17,7 +17,7 @@ void show(char const *what, program::CacheContents const &contents, std::string 
 } // namespace
 
 void add_cache(CLI::App &app, Session &session) {
-  CLI::App *command = app.add_subcommand("cache", "Print the size and the place of what earlier runs left");
+  CLI::App *command = app.add_subcommand("cache", "Show the size and path of the cache, or clear it");
   auto clear = std::make_shared<bool>(false);
   command->add_flag("--clear", *clear, "Remove it");
   command->callback([clear, &session] {

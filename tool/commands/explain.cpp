@@ -46,7 +46,7 @@ void add_explain(CLI::App &app, Session &session) {
   auto wanted = std::make_shared<std::string>();
   auto json = std::make_shared<bool>(false);
   command->add_option("id", *wanted, "As in SYM012");
-  command->add_flag("--json", *json, "All of them as JSON");
+  command->add_flag("--json", *json, "List all as JSON");
   command->callback([wanted, json, &session] {
     refuse_flags(session);
     if (*json && !wanted->empty()) fail(DiagnosticId::option_without_effect, {}, "--json is for the whole list");

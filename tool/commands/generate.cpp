@@ -291,14 +291,13 @@ int run(CLI::App &command, Options &options, Session &session) {
 } // namespace
 
 void add_generate(CLI::App &app, Session &session) {
-  CLI::App *command = app.add_subcommand("generate", "Rewrite, build, run, optimise and emit: the main job");
+  CLI::App *command = app.add_subcommand("generate", "Generate code: rewrite, build, run, optimise, emit");
   auto options = std::make_shared<Options>();
   command->add_option("sources", options->source.project.request.sources,
                       "C and C++ sources of the program; with -p by default all of them");
-  command->add_option("-o", options->output, "The generated file; with several kernels a directory")->type_name("FILE");
+  command->add_option("-o", options->output, "Output file, or directory for several kernels")->type_name("FILE");
   command->add_option("--graph", options->graph_file, "Also write the recorded graph as text")->type_name("FILE");
-  command
-      ->add_option("--depfile", options->depfile, "Also write the files that the result depends on, as a rule of make")
+  command->add_option("--depfile", options->depfile, "Also write the dependencies of the result as a make rule")
       ->type_name("FILE");
   command->add_flag("--check", options->check, "Write nothing; check whether the existing files are up to date");
   options->language.add_to(*command, "c");
@@ -314,11 +313,11 @@ void add_generate(CLI::App &app, Session &session) {
                     "Also emit a file that defines the function in place of the original");
   options->decisions.add_to(*command);
   command->add_flag("--via-ir", options->via_ir,
-                    "Rewrite nothing: record the instructions that clang 19 makes of the original");
+                    "Record the instructions clang 19 emits for the original; rewrite nothing");
   options->frozen.add_to(*command);
   options->source.add_to(*command);
-  command->add_flag("--write-config", options->write_config, "If a pragma lacks clauses, add them to .symreal.yaml");
-  command->add_flag("--stats", options->statistics, "Print more than the table: every object, every pass");
+  command->add_flag("--write-config", options->write_config, "Add the clauses that a pragma lacks to .symreal.yaml");
+  command->add_flag("--stats", options->statistics, "Print detailed statistics: every object, every pass");
   command->add_flag("--json", options->json, "Print the table as JSON to standard output");
   command->callback([options, command, &session] { session.status = run(*command, *options, session); });
 }

@@ -87,9 +87,9 @@ void add_measure_costs(CLI::App &app, Session &session) {
   CLI::App *command =
       app.add_subcommand("measure-costs", "Measure what operations and threads cost on this machine, for --cost");
   auto options = std::make_shared<Options>();
-  command->add_option("-o", options->output, "Where the costs go, as JSON")->required()->type_name("FILE");
+  command->add_option("-o", options->output, "Output file (JSON)")->required()->type_name("FILE");
   command->add_option("--cc", options->compiler, "The C compiler")->capture_default_str();
-  command->add_option("--rounds", options->rounds, "How often each operation is timed; the median counts")
+  command->add_option("--rounds", options->rounds, "Timings per operation; the median counts")
       ->check(CLI::Range(1U, 10000U))
       ->capture_default_str();
   command->callback([options, &session] {

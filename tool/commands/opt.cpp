@@ -170,7 +170,7 @@ void add_opt(CLI::App &app, Session &session) {
       ->add_option("graph", options->file,
                    "Graph text, as written by generate --graph; or a schedule, as written by --lang=schedule")
       ->required();
-  command->add_option("-o", options->output, "Where the result goes (default: standard output)")->type_name("FILE");
+  command->add_option("-o", options->output, "Output file (default: standard output)")->type_name("FILE");
   options->language.add_to(*command, "graph", "graph|schedule");
   options->bundle.add_to(*command);
   options->differentiate.add_to(*command);

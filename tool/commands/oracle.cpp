@@ -145,15 +145,15 @@ void add_oracle(CLI::App &app, Session &session) {
   command->add_option("--decisions", options->decisions, "Decisions of the recorded graph: error, guard or select")
       ->capture_default_str();
   command->add_option("--fp", options->mode, "Floating-point mode: finite or strict")->capture_default_str();
-  command->add_option("--samples", options->oracle.samples, "How many inputs to try")
+  command->add_option("--samples", options->oracle.samples, "Number of samples")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   command
       ->add_option("--min-samples", options->oracle.min_samples,
-                   "How many of them must satisfy the premises of the mode and the guards of both")
+                   "Minimum number of samples meeting the mode's premises and the guards of both")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
-  command->add_option("--seed", options->oracle.seed, "Where the sequence of inputs starts")->capture_default_str();
+  command->add_option("--seed", options->oracle.seed, "Seed of the sequence of samples")->capture_default_str();
   command->add_flag("--json", options->json, "Print the result as JSON to standard output");
   command->callback([options, command, &session] { session.status = run(*command, *options, session); });
 }

@@ -46,10 +46,10 @@ void run(Options const &options, CLI::App const &command) {
 } // namespace
 
 void add_plot(CLI::App &app, Session &session) {
-  CLI::App *command = app.add_subcommand("plot", "Draw how many operations of a graph can run at once");
+  CLI::App *command = app.add_subcommand("plot", "Plot how many operations of a graph run in parallel");
   auto options = std::make_shared<Options>();
   command->add_option("graph", options->file, "Graph text, as written by generate --graph")->required();
-  command->add_option("-o", options->output, "The image: .svg or .png")->required()->type_name("FILE");
+  command->add_option("-o", options->output, "Image, .svg or .png")->required()->type_name("FILE");
   options->analysis.add_to(*command);
   add_passes_before_analysis(*command, options->passes);
   command->callback([options, command, &session] {

@@ -71,8 +71,8 @@ void add_record(CLI::App &app, Session &session) {
   options->frozen.add_to(*command);
   command->add_option("--stdin", options->run.standard_input, "File that the program reads as standard input")
       ->type_name("FILE");
-  command->add_option("--cwd", options->run.directory, "Directory in which the program runs")->type_name("DIR");
-  command->add_option("--timeout", options->run.time_limit, "Seconds after which the program is ended")
+  command->add_option("--cwd", options->run.directory, "Working directory of the program")->type_name("DIR");
+  command->add_option("--timeout", options->run.time_limit, "Time limit of the program, in seconds")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   command->callback([options, &session] { session.status = run(*options, session); });

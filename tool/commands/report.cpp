@@ -50,11 +50,11 @@ void add_report(CLI::App &app, Session &session) {
   command->add_option("-o", options->output, "The page")->required()->type_name("FILE.html");
   command
       ->add_option("--units", options->units,
-                   "Of the timetable: how many, or how many of each kind of operation: mul=2,arithmetic=1,other=1")
+                   "Units of the timetable: number, or number per kind of operation: mul=2,arithmetic=1,other=1")
       ->capture_default_str()
       ->type_name("N|KIND=N,...");
   add_cost_option(*command, options->cost);
-  command->add_option("--verification", options->verification, "What verify --json printed: the page shows it")
+  command->add_option("--verification", options->verification, "Output of verify --json, to show on the page")
       ->type_name("FILE");
   options->passes.add_to(*command);
   command->callback([options, &session] {

@@ -60,8 +60,8 @@ void add_scan(CLI::App &app, Session &session) {
                    "Report what this function reaches: state that outlives a call, decisions, what blocks it")
       ->type_name("FUNCTION");
   command->add_flag("--compile", options->compile,
-                    "Also have a compiler parse each source in its symbolic form, and report those that it rejects");
-  command->add_option("--cxx", options->compiler, "That compiler")->capture_default_str();
+                    "Also parse the symbolic form of each source with a compiler and report those it rejects");
+  command->add_option("--cxx", options->compiler, "C++ compiler")->capture_default_str();
   command->add_flag("--list", options->list, "Also list every place");
   command->add_flag("--json", options->json, "Print the report as JSON, every place included");
   command->add_flag("--sarif", options->sarif, "Print what blocks the conversion as SARIF 2.1.0");

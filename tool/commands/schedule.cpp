@@ -80,33 +80,30 @@ void run(Options const &options) {
 } // namespace
 
 void add_schedule(CLI::App &app, Session &session) {
-  CLI::App *command =
-      app.add_subcommand("schedule", "Put the tasks of a graph on units, so that all is done as early as possible");
+  CLI::App *command = app.add_subcommand("schedule", "Schedule the tasks of a graph on units, minimising the makespan");
   auto options = std::make_shared<Options>();
   command
       ->add_option("file", options->file,
-                   "Graph text, whose operations are the tasks; or a task graph in the format of the Standard Task "
-                   "Graph set")
+                   "Graph text (its operations are the tasks), or a task graph in the Standard Task Graph format")
       ->required();
   command
       ->add_option("--units", options->units,
-                   "How many units there are; or how many of each kind of operation: mul=2,arithmetic=1,other=1")
+                   "Number of units, or number per kind of operation: mul=2,arithmetic=1,other=1")
       ->required()
       ->type_name("N|KIND=N,...");
   command
-      ->add_option("--communication", options->communication,
-                   "Time after the end of a task before its successor can begin on another unit")
+      ->add_option("--communication", options->communication, "Delay between a task and its successor on another unit")
       ->type_name("TIME");
-  command->add_option("--cost", options->cost, "How long an operation takes: unit (default), or table")
+  command->add_option("--cost", options->cost, "Duration of an operation: unit (default) or table")
       ->type_name("unit|table");
   command
       ->add_option("--effort", options->effort.level,
-                   "How much is tried, from 0 (lists only) to 3; in steps, so that the result is the same everywhere")
+                   "Search effort, 0 (list scheduling) to 3; bounds steps, not time, so results are reproducible")
       ->capture_default_str();
-  command->add_option("--seed", options->effort.seed, "Of the local search")->capture_default_str();
+  command->add_option("--seed", options->effort.seed, "Local search seed")->capture_default_str();
   command
       ->add_option("-o", options->outputs,
-                   "Where the timetable goes, as .csv or .json, or the task graph, as .stg; may be repeated")
+                   "Output file for the timetable (.csv, .json) or the task graph (.stg); repeatable")
       ->type_name("FILE")
       ->allow_extra_args(false);
   command->add_option("--gantt", options->gantt, "Draw the timetable as SVG")->type_name("FILE");

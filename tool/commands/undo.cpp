@@ -10,7 +10,7 @@ namespace symreal::tool {
 void add_undo(CLI::App &app, Session &session) {
   CLI::App *command = app.add_subcommand("undo", "Take back the last rewrite --in-place");
   auto directory = std::make_shared<std::string>(".");
-  command->add_option("directory", *directory, "Where the files are, or below them; by default here");
+  command->add_option("directory", *directory, "Directory of the files, or one below (default: .)");
   command->callback([directory, &session] {
     refuse_flags(session);
     program::Recovery const recovery = recover(*directory);

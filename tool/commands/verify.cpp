@@ -297,41 +297,38 @@ void add_verify(CLI::App &app, Session &session) {
   options->numeric.add_to(*command);
   options->source.add_to(*command);
   program::VerificationOptions &verification = options->verification;
-  command->add_option("--samples", verification.samples, "How many inputs to try")
+  command->add_option("--samples", verification.samples, "Number of samples")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   command
-      ->add_option("--min-samples", verification.min_samples, "How many of them must satisfy the premises of the mode")
+      ->add_option("--min-samples", verification.min_samples, "Minimum number of samples meeting the mode's premises")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
-  command->add_option("--seed", verification.seed, "Where the sequence of inputs starts")->capture_default_str();
+  command->add_option("--seed", verification.seed, "Seed of the sequence of samples")->capture_default_str();
   options->tolerance = command
                            ->add_option("--tol", verification.tolerance,
                                         "Largest relative error in mode fast; in single precision 0.001 unless given")
                            ->capture_default_str();
   command->add_flag("--json", options->json, "Print the result as JSON to standard output");
   command->add_option("--shard", options->shard, "Try only each Nth sample, from the Kth on")->type_name("K/N");
-  command->add_flag("--merge", options->merge, "Instead join the results of all shards, as --json printed them");
+  command->add_flag("--merge", options->merge, "Merge the --json results of all shards instead of verifying");
   command
-      ->add_option("--replay", options->replay,
-                   "Try the samples that a result of --json names as the worst, or one of your own")
+      ->add_option("--replay", options->replay, "Replay the worst samples of a --json result, or a sample of your own")
       ->type_name("FILE");
-  command->add_flag("--bisect", options->bisect, "If an output differs, find the pass and the rewrite that do it");
+  command->add_flag("--bisect", options->bisect, "Find the pass and the rewrite that make an output differ");
   command
-      ->add_option("--paths-met", options->paths_met,
-                   "The table of samples that the code was generated with; tried as well")
+      ->add_option("--paths-met", options->paths_met, "Table of samples given to generate --paths-met, to be tried too")
       ->type_name("FILE");
   command->add_flag("--branches", verification.branches,
-                    "Also say which branches of the original went one way only on all samples");
+                    "Also list branches of the original that all samples take the same way");
   command
       ->add_option("--exact", verification.exact_bits,
-                   "Also say how far both are from the exact values, computed in numbers of BITS bits, such as 256")
+                   "Also report the error of both against exact values, computed with BITS bits, such as 256")
       ->type_name("BITS")
       ->check(CLI::Range(program::least_exact_bits, program::most_exact_bits));
-  command->add_option("--certificate", options->certificate, "Write what was verified, and of which files")
+  command->add_option("--certificate", options->certificate, "Write a certificate of the verification")
       ->type_name("FILE");
-  command->add_option("--check", options->check, "Verify as a certificate says, and compare with it")
-      ->type_name("FILE");
+  command->add_option("--check", options->check, "Repeat a certificate's verification and compare")->type_name("FILE");
   command->callback([options, command, &session] {
     if (options->merge)
       session.status = verify_merge(*command, options->files, options->json, session);

@@ -11,7 +11,7 @@ namespace symreal::tool {
 
 void NumericOptions::add_to(CLI::App &app) {
   app.add_flag("--numeric", enabled,
-               "Instead compare the object code of all sources before and after the rewriting, without the switch");
+               "Compare only the object code of all sources before and after rewriting, without the switch");
   app.add_option("--cc", c_compiler,
                  "Compiler of sources that end in .c; by default cc, with --numeric that of their build");
 }

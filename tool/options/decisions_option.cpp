@@ -8,22 +8,21 @@ namespace symreal::tool {
 
 void DecisionsOption::add_to(CLI::App &app) {
   app.add_option("--decisions", policy,
-                 "What to do at a decision on a symbolic value: error, guard, select, explore or auto")
+                 "Treatment of decisions on symbolic values: error, guard, select, explore or auto")
       ->capture_default_str();
-  max_paths = app.add_option("--max-paths", bounds.paths, "explore, auto: how many paths of a kernel are recorded")
+  max_paths = app.add_option("--max-paths", bounds.paths, "Maximum paths per kernel (explore, auto)")
                   ->check(CLI::Range(1, 100000))
                   ->capture_default_str();
-  max_depth = app.add_option("--max-depth", bounds.depth, "explore, auto: how many decisions a path has")
+  max_depth = app.add_option("--max-depth", bounds.depth, "Maximum decisions per path (explore, auto)")
                   ->check(CLI::Range(1, 10000))
                   ->capture_default_str();
-  zero_tests = app.add_option("--zero-tests", zeros,
-                              "explore, auto: tests for exact zero become guards (guard) or paths (explore)")
-                   ->capture_default_str();
+  zero_tests =
+      app.add_option("--zero-tests", zeros, "Treatment of tests for exact zero: guard or explore (explore, auto)")
+          ->capture_default_str();
   met = app.add_option("--paths-met", paths_met,
-                       "explore, auto: a table of samples (CSV); a guard refuses each branch that none of them takes")
+                       "Table of samples (CSV); guards refuse branches that no sample takes (explore, auto)")
             ->type_name("FILE");
-  join = app.add_option("--joins", joins,
-                        "explore, auto: ways that come to the same state again are one path (on), or each a path (off)")
+  join = app.add_option("--joins", joins, "Merge paths that reach the same state again, on or off (explore, auto)")
              ->capture_default_str();
 }
 

@@ -6,10 +6,9 @@ namespace symreal::tool {
 
 void DifferentiateOption::add_to(CLI::App &app) {
   app.add_option("--differentiate", requests,
-                 "Derivatives as further outputs: jacobian(y, x), gradient(y), hessian(y, x), jvp(y, x), vjp(y, x) of "
-                 "outputs by inputs, several in brackets: jacobian(tau, [q, qd]); a matrix may be sparse, a Hessian "
-                 "also symmetric and "
-                 "weighted: hessian([cost, g], x, weighted, sparse); may be given again")
+                 "Add derivatives as outputs: jacobian(y, x), gradient(y), hessian(y, x), jvp(y, x) or vjp(y, x) of "
+                 "outputs y by inputs x; lists in brackets: jacobian(tau, [q, qd]); a matrix may be sparse, a Hessian "
+                 "also symmetric and weighted: hessian([cost, g], x, weighted, sparse); repeatable")
       ->type_name("DERIVATIVE")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
@@ -17,7 +16,7 @@ void DifferentiateOption::add_to(CLI::App &app) {
 
 void DifferentiateOption::add_separate_to(CLI::App &app) {
   app.add_flag("--separate", separate,
-               "Derivatives as a function of their own, in a file of their own beside the kernel's");
+               "Emit derivatives as a separate function, in a separate file beside the kernel's");
 }
 
 Graph DifferentiateOption::applied(Graph graph, Report const &report) const {

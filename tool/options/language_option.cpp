@@ -19,7 +19,7 @@ void LanguageOption::add_to(CLI::App &app, std::string const &usual, std::string
   for (Language const &language : symreal::languages())
     names += fmt::format("{}{} ({})", names.empty() ? "" : ", ", language.name, language.doc);
   app.add_option("--lang", text,
-                 "Languages of the result, separated by commas: " + names + (others_.empty() ? "" : "; or " + others_))
+                 "Output languages, separated by commas: " + names + (others_.empty() ? "" : "; or " + others_))
       ->capture_default_str();
 }
 

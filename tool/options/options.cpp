@@ -15,20 +15,20 @@ namespace symreal::tool {
 void SourceOptions::add_to(CLI::App &app) {
   project.add_build_to(app);
   app.add_option("--cxx", front.build.compiler, "Compiler of the rewritten program")->capture_default_str();
-  app.add_option("--link", link, "Words for the linker of the rewritten program, such as '-L. -lfoo'");
-  app.add_option("--run-args", run_arguments, "Arguments of the program, as in a shell");
+  app.add_option("--link", link, "Linker flags of the rewritten program, such as '-L. -lfoo'");
+  app.add_option("--run-args", run_arguments, "Program arguments, quoted as in a shell");
   app.add_option("--stdin", front.run.standard_input, "File that the program reads as standard input")
       ->type_name("FILE");
-  app.add_option("--cwd", front.run.directory, "Directory in which the program runs")->type_name("DIR");
-  app.add_option("--timeout", front.run.time_limit, "Seconds after which the program is ended")
+  app.add_option("--cwd", front.run.directory, "Working directory of the program")->type_name("DIR");
+  app.add_option("--timeout", front.run.time_limit, "Time limit of the program, in seconds")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   app.add_flag("--reachable", project.request.reachable,
-               "Rewrite and build only those of the sources that define what main, or the called function, reaches");
+               "Rewrite and build only the sources reachable from main, or from the called function");
   app.add_flag("--run-on", front.run.run_on, "Let the program run to its end after the last kernel");
-  app.add_flag("--keep", front.keep, "Keep the build directory and say where it is");
+  app.add_flag("--keep", front.keep, "Keep the build directory and print its path");
   app.add_option("--kernel", front.kernel,
-                 "Only the kernel of this name; or a function that no program calls: 'f(x[0:3]=0.5, n=3) -> y[0:3]'")
+                 "Select a kernel by name, or call a function without a program: 'f(x[0:3]=0.5, n=3) -> y[0:3]'")
       ->type_name("NAME|CALL");
 }
 
@@ -48,21 +48,20 @@ void PassOptions::add_to(CLI::App &app) {
   std::string names;
   for (PassInfo const &pass : pass_table()) names += std::string(names.empty() ? "" : ", ") + std::string(pass.name);
   passes_option =
-      app.add_option("--passes", passes, "Passes, separated by commas; or default, or none. There are: " + names)
+      app.add_option("--passes", passes, "Passes, separated by commas, or default or none; available: " + names)
           ->capture_default_str();
-  effort_option = app.add_option("--effort", effort,
-                                 "With --fp=fast: how long to look for structure, 0 (not at all) to 3 (minutes)")
-                      ->capture_default_str();
-  app.add_option(
-         "--target-cost", target_cost,
-         "What operations cost where the code will run, for passes to choose the cheaper way: unit (1), table (the "
-         "table of operations), or a file of symreal measure-costs")
+  effort_option =
+      app.add_option("--effort", effort, "Effort of structure recovery, 0 (none) to 3 (minutes); mode fast only")
+          ->capture_default_str();
+  app.add_option("--target-cost", target_cost,
+                 "Operation costs on the target, which guide the passes: unit (1 each), table (the table of "
+                 "operations), or a file written by symreal measure-costs")
       ->type_name("unit|table|FILE")
       ->capture_default_str();
   app.add_flag("--snap{" + shortest(usual_snap) + "}", snap,
-               "With --fp=fast: constants that arithmetic has left so near to 0, 1, -1, 1/2 or -1/2 are these numbers");
-  tolerance_option = app.add_option("--tol", tolerance, "With --snap: largest relative change of an output by it")
-                         ->capture_default_str();
+               "Round computed constants within this distance of 0, 1, -1, 1/2 or -1/2 to these numbers (mode fast)");
+  tolerance_option =
+      app.add_option("--tol", tolerance, "Largest relative change of an output due to --snap")->capture_default_str();
 }
 
 std::optional<double> PassOptions::snap_distance() const {
@@ -101,23 +100,23 @@ void EmitterOptions::add_to(CLI::App &app) {
         if (!given.empty() && identifier(given) != given)
           fail(DiagnosticId::bad_option, {}, "--prefix takes a name of C and C++, not '" + given + "'");
       });
-  app.add_option("--real", real, "The numbers of the generated code: double, or float for single precision")
+  app.add_option("--real", real, "Number type of the generated code: double, or float for single precision")
       ->capture_default_str();
   app.add_option("--sines", sines,
-                 "C and C++ in mode fast: sines and cosines of inputs are computed 'side-by-side' in a loop of the "
-                 "generated code (usual), or each by the 'library'")
+                 "Compute sines and cosines of inputs 'side-by-side' in a loop (default) or each by the 'library' (C "
+                 "and C++, mode fast)")
       ->type_name("WORD");
   auto const add_extra = [&](std::string const &name, std::string const &doc) {
     app.add_flag_callback("--" + name, [this, name] { extras.insert(name); }, doc);
   };
   add_extra("mainline", "Also emit a program that runs the generated code");
-  add_extra("mex", "Beside C, also emit what MATLAB and Octave call it by: a MEX gateway");
-  add_extra("simulink", "Beside C, also emit what Simulink calls it by: an S-function");
-  app.add_flag("--trace-comments", trace_comments, "Each statement names the source lines that it comes from");
+  add_extra("mex", "Also emit a MEX gateway to the C code, for MATLAB and Octave");
+  add_extra("simulink", "Also emit an S-function that calls the C code, for Simulink");
+  app.add_flag("--trace-comments", trace_comments, "Annotate each statement with its source lines");
   app.add_option("--map", map_file, "Also write a map from generated lines to source lines, as JSON")
       ->type_name("FILE");
   app.add_flag("--check-values", check_values,
-               "For debugging: the generated code reports the first NaN or infinity with its source line");
+               "Emit debug code that reports the first NaN or infinity with its source line");
 }
 
 bool EmitterOptions::is_single() const {

@@ -46,12 +46,12 @@ void ProjectOptions::add_build_to(CLI::App &app) {
       ->type_name("DIR");
   app.add_option("-p", build, "Directory of the compile_commands.json that says how the sources are compiled")
       ->type_name("DIR");
-  app.add_option("-j", request.jobs, "How many sources are read at once; by default as many as there are processors")
+  app.add_option("-j", request.jobs, "Number of sources read in parallel; by default one per processor")
       ->check(CLI::PositiveNumber)
       ->type_name("N");
   app.add_option("--type-name", request.type_name,
-                 "How rewritten sources spell the number; by default REAL, or SYMREAL_REAL where that is taken");
-  app.add_flag("--no-cache", no_cache, "Read and compile everything, also what an earlier run has read and compiled");
+                 "Name of the number type in rewritten sources; by default REAL, or SYMREAL_REAL if taken");
+  app.add_flag("--no-cache", no_cache, "Ignore the cache of earlier runs: read and compile everything");
   app.add_option("--config", configuration,
                  "The project's configuration; by default the .symreal.yaml in the directory of the first source or "
                  "the nearest above it")

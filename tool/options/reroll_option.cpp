@@ -8,7 +8,7 @@
 namespace symreal::tool {
 
 void RerollOption::add_to(CLI::App &app) {
-  app.add_flag("--reroll", is_given, "C or C++ in which operations that repeat are loops over tables");
+  app.add_flag("--reroll", is_given, "Emit repeated operations as loops over tables (C or C++)");
 }
 
 void RerollOption::require_sense(EmitterOptions const &emitter, bool is_parallel) const {

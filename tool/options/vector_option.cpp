@@ -5,7 +5,7 @@
 namespace symreal::tool {
 
 void VectorOption::add_to(CLI::App &app) {
-  app.add_option("--vector", width, "C or C++ in which operations of one kind are computed side by side: 2, 4 or 8")
+  app.add_option("--vector", width, "Emit C or C++ with vector operations of 2, 4 or 8 lanes")
       ->type_name("N")
       ->check(CLI::IsMember({2U, 4U, 8U}));
 }

@@ -6,9 +6,9 @@
 namespace symreal::tool {
 
 void FrozenOption::add_to(CLI::App &app) {
-  app.add_option("--frozen", policy,
-                 "What would be baked in: state (an error, but for the locals around a block), error (also for them), "
-                 "warn or allow")
+  app.add_option(
+         "--frozen", policy,
+         "Treatment of baked-in values: state (an error, except for locals around a block), error (all), warn or allow")
       ->capture_default_str();
 }
 

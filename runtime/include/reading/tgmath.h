@@ -1,5 +1,5 @@
-/* <tgmath.h> as Symreal reads it: overloaded functions, as they are in C++, which the program becomes. Those of
-   compilers are macros, behind which a call cannot be rewritten. No program is compiled with this header. */
+/* <tgmath.h> as Symreal reads it: overloaded functions, as in C++, to which the program is translated. Compilers use
+   macros instead, which hide the calls from the rewriter. No program is compiled with this header. */
 #pragma once
 
 #include <complex.h>

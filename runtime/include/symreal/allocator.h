@@ -1,5 +1,5 @@
-// std::allocator with what C++20, which symbolic mode is, took out of it: for sources before C++20, of numbers and of
-// the integers beside them.
+// std::allocator with the members that C++20, the standard of symbolic mode, removed: for older sources, for numbers
+// and symbolic integers.
 #pragma once
 
 #ifdef MBD_SYMBOLIC

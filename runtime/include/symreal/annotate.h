@@ -1,6 +1,5 @@
-// What the pragmas become: objects are walked down to their numbers, and each number is handed to the recorder
-// (symbolic programs, where it is a RealNumber) or to the replay (where it is a double). Both sides share the life of a
-// kernel.
+// Runtime interface of the pragmas: an annotated object is walked down to its numbers, and each number is handed to the
+// recorder (a RealNumber, in symbolic programs) or to the replay (a double). Both share the kernel's lifecycle.
 #pragma once
 
 #include <symreal/extents.h>
@@ -17,25 +16,25 @@ enum class Kind { input, parameter, constant, scratch, output };
 struct SourcePlace {
   char const *file;
   unsigned line, column;
-  void const *frame = nullptr; // of the function where it stands
+  void const *frame = nullptr; // frame of the enclosing function
 };
 
 namespace detail {
 
-// Which numbers a program is made of: RealNumber and double have the same size, so one interface serves all. The
+// The number type of a program: RealNumber and double have the same size, so one interface serves all. The
 // original has its annotations from <symreal/original.h>.
 enum class CompiledAs { symbolic, replay, original };
 
-// Whether an annotation that is met now counts: a kernel is open or may begin.
+// True if an annotation executed now takes effect: a kernel is open or may begin.
 bool begin_object(CompiledAs, Kind, char const *label, SourcePlace) noexcept;
-// Row by row. A temporary has no place to write back to.
+// The numbers come row by row. A temporary is not written back.
 void element(void *number, bool is_temporary) noexcept;
-// An object whose elements are annotated: of an output its own bytes may change as well.
+// An object whose elements are annotated; if it is an output, its own bytes may change too.
 void holder(void const volatile *object, std::size_t size) noexcept;
-// A returned object, as a whole: the caller's room for it changes.
+// A returned object as a whole: its storage in the caller may change.
 void handed_over(void const volatile *object, std::size_t size) noexcept;
 void end_object(std::size_t const *extents, std::size_t rank) noexcept;
-// These bytes are known to be baked in.
+// Declares these bytes constant: they are baked in without a diagnostic.
 void constant_bytes(void const *object, std::size_t size) noexcept;
 // Counts are fixed in the result, so a variable that is one need not be declared constant as well.
 void constant_counts(Extents const &shape) noexcept;
@@ -43,13 +42,13 @@ void note_read(RealNumber const *number, char const *name, char const *place) no
 void note_scalar_read(ScalarObject scalar, char const *name, char const *place) noexcept;
 using Visit = void (*)(void const *object, Numbers &numbers);
 template <class T> void visit(void const *object, Numbers &numbers) { numbers.visit(*static_cast<T const *>(object)); }
-// What these bytes, and the numbers that the object owns when the kernel ends, hold then does not matter.
+// Declares these bytes, and the numbers that the object owns when the kernel ends, dead after the kernel.
 void scratch(void const *object, std::size_t size, Visit visit) noexcept;
 
-// The same of the objects of static storage duration that a file defines.
+// As scratch(), for all objects of static storage duration that a file defines.
 void scratch_file(char const *file) noexcept;
 
-// Ends the program where an item names an element that does not exist. `object`: what it takes elements of.
+// Ends the program if an item's index is out of range. `object`: spelling of the indexed object.
 void check_index(std::ptrdiff_t index, std::ptrdiff_t count, char const *object) noexcept;
 
 bool begin_function(CompiledAs, char const *name, SourcePlace, unsigned call) noexcept;
@@ -73,7 +72,7 @@ inline constexpr CompiledAs compiled_as = CompiledAs::symbolic;
 template <class T> inline constexpr bool is_number = std::is_same_v<T, RealNumber>;
 using ProgramNumber = RealNumber;
 #endif
-// What a function that returns a number makes of a returned expression: `return 0;` converts.
+// Type of a returned expression after the conversion of `return`: arithmetic types become the program's number.
 template <class T> using Returned =
     std::conditional_t<std::is_arithmetic_v<std::decay_t<T>>, ProgramNumber, std::decay_t<T>>;
 
@@ -89,8 +88,8 @@ template <class T, class Value> ProgramNumber integer_number(Value const &value)
     return SymbolicInt<T>(value).number();
 }
 
-// How many elements the object has from index 0 on; -1 where it does not tell: a pointer, or a class whose indices may
-// be of another kind. An array of one element may be the last member of a structure that goes on behind its end.
+// Number of elements of the object from index 0 on; -1 if unknown: a pointer, or a class with another kind of index.
+// An array of one element may be the last member of a structure that goes on behind its end.
 template <class T> std::ptrdiff_t element_count(T &object) {
   if constexpr (std::is_bounded_array_v<T>)
     return std::extent_v<T> > 1 ? static_cast<std::ptrdiff_t>(std::extent_v<T>) : -1;
@@ -196,7 +195,7 @@ void symreal_implicit_section(char const *label, SourcePlace place, Extents cons
 }
 
 // constant: the bytes of the object, and the numbers in the storage that it owns, are known to be baked in.
-// scratch: what they hold after the kernel does not matter.
+// scratch: they are dead after the kernel.
 template <Kind kind, class T> void declare_object(T const &object) {
   if constexpr (kind == Kind::scratch) {
     detail::scratch(&object, sizeof object, detail::visit<T>);
@@ -232,16 +231,16 @@ void symreal_declare_section(char const *label, SourcePlace place, Extents const
   detail::end_object(nullptr, 0);
 }
 
-// The carried value of an input that is given none.
+// The carried value of an input without a given value.
 double missing_value() noexcept;
 
-// For the inputs of the pragma that was met last.
+// Sets the range of the inputs of the last executed pragma.
 void symreal_set_range(double low, double high) noexcept;
 
-// The labels of an input and of the output that is its derivative by time.
+// Pairs an input with the output that is its time derivative, by their labels.
 void symreal_set_state(char const *state, char const *derivative, SourcePlace place) noexcept;
 
-// A derivative of outputs by inputs, as further outputs: "jacobian(tau, [q, qd])".
+// Adds derivatives of outputs by inputs as further outputs: "jacobian(tau, [q, qd])".
 void symreal_differentiate(char const *wish, SourcePlace place) noexcept;
 
 // Ends a region kernel: its outputs become ordinary numbers.
@@ -249,15 +248,15 @@ inline void symreal_generate(char const *file_name, SourcePlace place) noexcept 
   detail::end_region(detail::compiled_as, file_name, place);
 }
 
-// The pointer itself; where it points to memory that cannot be written, a private copy of pointer[0 .. low+count).
-// Memory behind the copy cannot be accessed: what the annotation does not declare is not read by accident.
+// The pointer itself; if it points to read-only memory, a private copy of pointer[0 .. low+count).
+// Memory behind the copy is inaccessible, so an access beyond the annotated range is caught.
 template <class T> T const *symreal_rebind(T const *pointer, std::size_t low, std::size_t count) noexcept {
   if constexpr (std::is_trivially_copyable_v<T>)
     return static_cast<T const *>(detail::private_copy(pointer, low * sizeof(T), count * sizeof(T)));
   return pointer;
 }
 
-// A pointer to what the copy is of, its end included, follows. Another one stays.
+// Redirects a pointer into the copied range (its end included) to the copy; leaves any other unchanged.
 template <class T> void symreal_rebind_end(T const *&pointer) noexcept {
   pointer = static_cast<T const *>(detail::in_private_copy(pointer));
 }
@@ -323,7 +322,7 @@ public:
     return copy;
   }
 
-  // The same of a function that returns an integer, as one of type T: no decision.
+  // As above, for a function that returns an integer of type T: no decision.
   template <class T, class Value>
   std::decay_t<Value> symreal_returned_integer(char const *label, SourcePlace place, Value &&result) {
     std::decay_t<Value> copy = std::forward<Value>(result);
@@ -343,7 +342,7 @@ public:
     return copy;
   }
 
-  // The same for a structure (<symreal/object_layout.h>).
+  // As above, for a structure (<symreal/object_layout.h>).
   template <class... Containers, class T>
   auto symreal_returned_layout(char const *label, SourcePlace place, char const *layout, T &&result);
 

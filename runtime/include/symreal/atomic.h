@@ -15,7 +15,7 @@ namespace detail {
   return (stored.is_node() || expected.is_node()) && static_cast<bool>(stored == expected);
 }
 
-// What both have in common. `Self` gives the address.
+// Common base of both. `Self` provides the address.
 template <class Self> class AtomicNumber {
 public:
   using value_type = RealNumber;
@@ -73,7 +73,7 @@ public:
 
 private:
   RealNumber *address() const noexcept { return static_cast<Self const *>(this)->address_of_number(); }
-  // Where the same bytes are still there; else `stored` is what is.
+  // Compare-exchange by bytes; on failure `stored` receives the current number.
   bool replace(RealNumber &stored, RealNumber value) const noexcept {
     return __atomic_compare_exchange(address(), &stored, &value, false, __ATOMIC_SEQ_CST, __ATOMIC_SEQ_CST);
   }

@@ -1,6 +1,6 @@
-// What the rewriter makes of decisions: REAL_IF, REAL_COND, REAL_LOOP and their like, which say what both arms are and
-// what they assign. Where the condition is symbolic and the policy is `select`, both arms are executed and what they
-// assign is selected; everywhere else they are the original's statements, and the decision is one like any other.
+// Runtime side of rewritten decisions (REAL_IF, REAL_COND, REAL_LOOP, ...), which state both arms and their assigned
+// variables. If the condition is symbolic and the policy is `select`, both arms are executed and each assigned variable
+// becomes a select; otherwise they are the original's statements, and the decision is an ordinary one.
 #pragma once
 
 #include <symreal/annotate.h>
@@ -16,7 +16,7 @@ namespace symreal {
 
 namespace detail {
 
-// The type of a truth value, an enumerator or an integer, for which there may be a class; void of a REAL or a double.
+// The plain type of a truth value, an enumerator or an integer, symbolic or not; void for a REAL or a double.
 template <class T, class = int> struct ArmOf {
   using Type = void;
 };
@@ -74,7 +74,7 @@ template <class C, class Yes, class No>
   }
 }
 
-// The numbers that arms assign, and what they were before.
+// The numbers that the arms assign, and their former values.
 class Targets {
 public:
   // targets(x)(y)...
@@ -99,15 +99,15 @@ public:
 
   bool has_others() const noexcept { return has_others_; }
   std::vector<RealNumber> values() const;
-  // Those that outlive the kernel and that it has not met yet: what they hold is not the kernel's.
+  // Indices of the targets that outlive the kernel and that it has not met yet: their values are not the kernel's.
   std::vector<std::size_t> foreign() const;
-  // Which of these were written since; they count as not met again.
+  // Flags the targets that were written since; they count as not met again.
   std::vector<bool> take_written(std::vector<std::size_t> const &foreign) const;
   // One arm alone has written these, or they were written and may keep their former value: it is part of the result.
   void keep(std::vector<std::size_t> const &foreign, std::vector<bool> const &written_before,
             std::vector<RealNumber> const &values) const;
   void restore(std::vector<RealNumber> const &values) const;
-  // Each becomes select(condition, yes, no).
+  // Assigns select(condition, yes, no) to each target.
   [[gnu::always_inline]] void merge(SymbolicBool condition, std::vector<RealNumber> const &yes,
                                     std::vector<RealNumber> const &no) const {
     std::size_t k = 0;
@@ -120,7 +120,7 @@ public:
   }
 
 private:
-  // What is more than a number: it is saved as its words, and selected as a whole.
+  // A symbolic integer of one or more words: saved word by word, selected as a whole.
   struct Integer {
     std::size_t first, words;
     void (*merge)(void *object, SymbolicBool condition, void const *yes, void const *no);
@@ -149,14 +149,14 @@ private:
 
 // The statements of a function, or of one arm in it, of which some calls may have returned already.
 struct Level {
-  SymbolicBool path{true};      // under which they are executed, counted from the function's entry
-  SymbolicBool returned{false}; // under which a `return` among them was met
+  SymbolicBool path{true};      // path condition of the statements, from the function's entry
+  SymbolicBool returned{false}; // condition under which one of them has returned
   std::optional<PathScope> rest;
 
   void has_returned(SymbolicBool condition);
 };
 
-// What such a function returns. A template may also be instantiated on another type, whose conditions are plain.
+// Result of a function whose `return`s are selected. A template may be instantiated on a type with plain conditions.
 class Returned {
 public:
   Returned(RealNumber number, long double plain) noexcept : number_(number), plain_(plain) {}
@@ -168,7 +168,7 @@ public:
 
 private:
   RealNumber number_;
-  long double plain_; // the value where no node is part of it, in the precision of its own type
+  long double plain_; // the value if no node is part of it, in the precision of its own type
 };
 
 // The returned value of a function whose `return`s depend on symbolic conditions: each `return` that is met in an arm
@@ -244,7 +244,7 @@ public:
   Branch &operator=(Branch const &) = delete;
   ~Branch();
 
-  // Is there another arm to execute?
+  // True if another arm is to be executed.
   [[gnu::always_inline]] bool symreal_more() {
     ++stage_;
     if (!is_select_) return stage_ == 1;
@@ -311,7 +311,7 @@ public:
     stop();
     return false;
   }
-  // `if (condition) break;`: true where the loop is certainly left.
+  // `if (condition) break;`: true if the loop has certainly ended.
   template <class C> [[gnu::always_inline]] bool symreal_breaks(C const &condition) {
     settle();
     narrow(!SymbolicBool(symreal_truth(condition)));

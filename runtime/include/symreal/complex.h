@@ -1,5 +1,5 @@
-// std::complex of RealNumber computes as std::complex<double> does, for which the library and the compiler call the C
-// library, where it has formulas for any other type. What is a formula for double as well is left to the library.
+// std::complex of RealNumber: computes as std::complex<double>, for which the standard library and the compiler call
+// the C library where any other type gets a formula. Functions that are formulas for double too stay with the library.
 #pragma once
 
 #include <symreal/complex_function.h>
@@ -19,7 +19,7 @@ struct ComplexParts {
   RealNumber real, imaginary;
 };
 [[gnu::noinline]] ComplexParts compute_parts(ComplexFunction function, ComplexParts x, ComplexParts y) noexcept;
-// Under mode finite a product is a formula. Where both parts of that are no numbers the compiler's has infinities.
+// A product is a formula under mode finite. Otherwise the compiler recovers infinities if both parts are NaN.
 bool products_are_formulas() noexcept;
 
 [[gnu::always_inline]] inline Complex compute(ComplexFunction function, Complex const &x, Complex const &y) noexcept {
@@ -27,7 +27,7 @@ bool products_are_formulas() noexcept;
   return {result.real, result.imaginary};
 }
 
-// By its bits: a compiler may compare ahead of the test for a node, and comparing a node is an invalid operation.
+// Compares bits: a compiler may compare ahead of the test for a node, and comparing a node is an invalid operation.
 constexpr bool is_nan(RealNumber x) noexcept { return (x.to_bits() & ~(1ull << 63)) > detail::bits(INFINITY); }
 
 [[gnu::always_inline]] inline Complex product(Complex const &x, Complex const &y) noexcept {
@@ -43,7 +43,7 @@ constexpr bool is_nan(RealNumber x) noexcept { return (x.to_bits() & ~(1ull << 6
   return {radius * cos(angle), radius * sin(angle)};
 }
 
-// yes() where the condition holds, else no(). Both are computed where it is symbolic.
+// yes() if the condition holds, else no(). Both are computed if it is symbolic.
 template <class Yes, class No>
 [[gnu::always_inline]] inline Complex select(SymbolicBool condition, Yes yes, No no) noexcept {
   if (!condition.is_symbolic()) return condition.holds() ? yes() : no();

@@ -1,6 +1,6 @@
 // C's `(T){...}` is an object that lives as long as the block around it. Here it lives as long as the call of the
-// function around it, or, outside of functions, as the program. Each that is written has its own; evaluated again, it
-// is the same object.
+// function around it, or, outside of functions, as the program. Each literal of the
+// source has its own object, which every evaluation reuses.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 namespace symreal {
 namespace detail {
 
-template <class Site> inline char const site = 0; // whose address tells one from another
+template <class Site> inline char const site = 0; // its address identifies the literal
 
 template <class T> T &placed(void *where, T const &value) noexcept {
   static_assert(std::is_trivially_copyable_v<T>);
@@ -21,7 +21,7 @@ template <class T> T &placed(void *where, T const &value) noexcept {
 
 } // namespace detail
 
-// Those of one call: as many bytes as they take, each from a multiple of 16 on.
+// Storage of one call's compound literals: `bytes` bytes in total, each literal aligned to 16.
 template <std::size_t bytes> class SymrealCompoundLiterals {
   static constexpr std::size_t granule = 16;
 
@@ -69,5 +69,5 @@ public:
 
 } // namespace symreal
 
-// A function that has any declares its own.
+// Storage for literals outside functions; a function with literals declares its own.
 inline constexpr symreal::SymrealStaticCompoundLiterals symreal_literals;

@@ -1,5 +1,5 @@
-// What becomes of a decision on a symbolic value: chosen for the whole program by the driver (--decisions), for a
-// statement or a function by a pragma.
+// Policies for decisions on symbolic values: the driver sets the program's (--decisions), a pragma that of a statement
+// or a function.
 #pragma once
 
 #include <symreal/real_number.h>
@@ -11,14 +11,14 @@ enum class Decisions {
   guard,   // the path taken is recorded with its conditions
   select,  // both arms are recorded where the source allows it; elsewhere as error
   explore, // one path, which the driver chooses among all: it runs the program once for each
-  best,    // select where the source allows it, elsewhere explore, and guard what has no paths: conversions
+  best,    // select where the source allows it, elsewhere explore; guard for conversions, which have no paths
   carry, // the carried value is taken, and the place noted: the word of a pragma that no output depends on the outcome
 };
 
 // The policy of the calling thread at this moment.
 Decisions decisions() noexcept;
 
-// Another policy until the end of a scope.
+// Scope with another policy.
 class DecisionScope {
 public:
   explicit DecisionScope(Decisions policy) noexcept;
@@ -30,7 +30,7 @@ private:
   int before_;
 };
 
-// Until the end of a scope even mode fast keeps operations as they are written.
+// Scope in which even mode fast keeps operations as written.
 class ExactScope {
 public:
   ExactScope() noexcept;
@@ -42,8 +42,8 @@ private:
   bool before_;
 };
 
-// While it lives, statements are executed under a condition (the arm of a select): guards that are met hold only where
-// the condition does.
+// Scope whose statements are executed under a path condition (an arm of a select): its guards must hold only if the
+// condition does.
 class PathScope {
 public:
   explicit PathScope(SymbolicBool condition) noexcept;

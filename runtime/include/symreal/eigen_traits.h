@@ -1,4 +1,4 @@
-// What Eigen must know of RealNumber. A forward declaration is enough, so every source may see it.
+// Eigen's NumTraits of RealNumber. A forward declaration of the template suffices, so every source may include this.
 //
 // The costs are exactly double's: they decide unrolling, and unrolling decides in which order a sum is taken.
 #pragma once

@@ -1,6 +1,6 @@
-// What a kernel asks or tells beside its numbers: errno, the flags and modes of floating-point arithmetic, functions of
-// libraries. Generated code has none of it. The rewriter puts these before the expressions that do so; while a kernel
-// is recorded they are errors at their place, or told as state that is baked in.
+// Checks for uses of the environment in a kernel: errno, floating-point flags and modes, library functions. Generated
+// code omits these uses. The rewriter puts a check before each; while a kernel is recorded it reports an error at its
+// place, or state that is baked in.
 #pragma once
 
 namespace symreal {
@@ -22,12 +22,12 @@ constexpr void symreal_error_read(char const *, char const *place) noexcept {
 constexpr void symreal_error_written(char const *, char const *) noexcept {
   if (!__builtin_is_constant_evaluated() && detail::recording) detail::error_written();
 }
-// `what`: the function, and what it does.
+// `what`: the function and its effect.
 constexpr void symreal_environment(char const *what, char const *place) noexcept {
   if (!__builtin_is_constant_evaluated() && detail::recording) detail::environment_used(what, place);
 }
 
-// What a function gives that is compiled elsewhere: the right operand of the comma.
+// Reports the result of a function compiled elsewhere, which is the comma's right operand.
 struct Outside {
   char const *function;
   template <class T> constexpr T operator,(T value) const noexcept {

@@ -1,5 +1,5 @@
-// How many elements an annotated object or section has in each dimension. What is no template stands in the library: a
-// container of the standard library here would be compiled anew with each source.
+// Extents of an annotated object or section, one per dimension. Functions that are not templates are in the library, so
+// that no source has to compile a standard container for them.
 #pragma once
 
 #include <symreal/numbers.h>

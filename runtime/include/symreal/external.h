@@ -1,4 +1,4 @@
-// Calls of functions that are not recorded: what `#pragma symreal external(f)` makes of a call.
+// Calls of functions that are not recorded: the runtime of `#pragma symreal external(f)`.
 //
 // The function itself is called, with the carried values in private copies of its arguments, so that the program goes
 // on. Where an argument is symbolic, or the function has effects, the call is recorded.
@@ -14,7 +14,7 @@
 
 namespace symreal {
 
-// What the rewriter knows of an external function. `shape` is as in the line `external` of a graph's text, from
+// The rewriter's description of an external function. `shape` is as in the line `external` of a graph's text, from
 // `returns` on. `sizes` is empty, or has for each parameter a 0, or, where its size is known at a call only, a product
 // such as 3*$0, where $0 is the value of the first parameter.
 struct ExternalDescription {
@@ -28,7 +28,7 @@ struct ExternalDescription {
 
 namespace detail {
 
-// The return address of the caller: where in the program it stands.
+// The return address of the caller: the call's place in the program.
 [[gnu::noinline]] void const *here() noexcept;
 
 // One call under way: the arguments in order, then the call, then its results in order.
@@ -44,12 +44,12 @@ public:
 
   double number(RealNumber argument) noexcept;
   void integer(double argument) noexcept;
-  // The numbers behind a pointer: returns a copy with their carried values.
+  // Copies the numbers behind a pointer, with their carried values.
   void *pointer(void *numbers) noexcept;
-  // The numbers of a struct become plain, in place.
+  // Replaces the numbers of a struct by their carried values, in place.
   void object(void *numbers, std::size_t count) noexcept;
 
-  // The function has been called and returned this; what it wrote is taken from the copies.
+  // Ends the call with the returned value; values that the function wrote are taken from the copies.
   RealNumber returned(double value) noexcept;
   void returned(void *numbers, std::size_t count) noexcept;
   void returned() noexcept;

@@ -26,7 +26,7 @@ namespace symreal {
 }
 
 namespace detail {
-// A place for a result that must be referred to; it stays.
+// Permanent storage for a result that is returned by reference.
 RealNumber const &keep(RealNumber x);
 } // namespace detail
 

@@ -8,12 +8,12 @@
 
 namespace symreal {
 
-// A value on its way into something whose type the text does not tell: the same macro, or the same file included again,
-// assigns to an integer once and to a real number another time. The context says what it becomes.
+// A value assigned to a target whose type the text leaves open: the same macro, or the same file included again, may
+// assign to an integer once and to a real number another time. The context determines the conversion.
 template <class From> class Fit {
 public:
   [[gnu::always_inline]] explicit constexpr Fit(From value) noexcept : value_(value) {}
-  // As the language converts: to an integer or a float by a decision where the number is symbolic; a pointer as in C.
+  // Converts as the language does: a symbolic number to an integer or a float by a decision; a pointer as in C.
   template <class To> [[gnu::always_inline]] constexpr operator To() const noexcept { return (To)value_; }
 
 private:
@@ -39,7 +39,7 @@ template <class To, class From>
     return static_cast<From &&>(value);
 }
 
-// What a template of the program deduces a type from: a REAL where it was a double; other types pass.
+// Argument from which a template of the program deduces a type: a double becomes a REAL, other types pass unchanged.
 template <class From> [[gnu::always_inline]] constexpr decltype(auto) symreal_deduced(From &&value) noexcept {
   if constexpr (std::is_same_v<std::remove_cvref_t<From>, double>)
     return RealNumber(value);
@@ -47,7 +47,7 @@ template <class From> [[gnu::always_inline]] constexpr decltype(auto) symreal_de
     return static_cast<From &&>(value);
 }
 
-// A truth value of C counts: ++ leaves true, -- the other one.
+// Increment and decrement of C's truth values: ++ yields true, -- inverts.
 class CountedTruth {
 public:
   explicit constexpr CountedTruth(bool &value) noexcept : value_(value) {}
@@ -60,7 +60,7 @@ private:
   bool &value_;
 };
 
-// An enumerator that an operator of assignment changes: in C it is an integer.
+// The left operand of a compound assignment: in C an enumerator is an integer.
 template <class E> constexpr decltype(auto) symreal_enumeration(E &x) noexcept {
   if constexpr (std::is_same_v<E, bool>)
     return CountedTruth(x);
@@ -73,7 +73,7 @@ template <class E> constexpr decltype(auto) symreal_enumeration(E &x) noexcept {
 
 } // namespace symreal
 
-// In C an enumeration counts. C++ has no such operators, so these are in nobody's way.
+// C's increment and decrement of enumerations. C++ has no built-in ones, so these conflict with nothing.
 #define SYMREAL_ENUMERATION                                                                                            \
   template <class E, std::enable_if_t<std::is_enum_v<E> && std::is_convertible_v<E, int>, int> = 0>
 SYMREAL_ENUMERATION constexpr E &operator++(E &x) noexcept { return x = static_cast<E>(x + 1); }

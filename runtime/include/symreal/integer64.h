@@ -14,15 +14,15 @@ inline constexpr double largest_exact = 0x1p53; // up to this magnitude every in
 
 struct Integer64 {
   RealNumber number;   // a node: the integer as a real number, or, where `bound` is 0, its bits
-  std::uint64_t plain; // where it is no node
-  double bound;        // of a real number: its largest magnitude
+  std::uint64_t plain; // the value, unless `number` is a node
+  double bound;        // largest magnitude of a real number; 0 if `number` holds bits
 
   bool is_node() const noexcept { return number.is_node(); }
 };
 
 constexpr Integer64 integer64(std::uint64_t plain) noexcept { return {RealNumber(0.0), plain, 0}; }
 inline Integer64 integer64_of_bits(RealNumber node) noexcept { return {node, 0, 0}; }
-// Of a real number that is integral; a magnitude of 2^53 at most if it is plain.
+// The integer of an integral real number, whose magnitude is at most 2^53 if it is plain.
 inline Integer64 integer64_of_number(RealNumber number, double bound) noexcept {
   if (!number.is_node()) return integer64(static_cast<std::uint64_t>(static_cast<std::int64_t>(number.plain())));
   return {number, 0, bound < 1 ? 1 : bound};
@@ -36,14 +36,14 @@ inline Integer64 integer64_of_number(RealNumber number, double bound) noexcept {
 
 template <class T> double plain_value(Integer64 x) noexcept { return static_cast<double>(static_cast<T>(x.plain)); }
 
-// As a real number, rounded where it is large. T is the integer's type.
+// The integer, of type T, as a real number, rounded if large.
 template <class T> [[gnu::always_inline]] inline RealNumber real_of(Integer64 x) noexcept {
   if (!x.is_node()) return plain_value<T>(x);
   if (x.bound != 0) return x.number;
   return record(std::is_signed_v<T> ? Op::wide_value : Op::wide_uvalue, x.number, 0.0, 0.0);
 }
 
-// Of an integer whose real number is exact; infinity for others.
+// Largest magnitude of an integer whose real number is exact; infinity for any other.
 template <class T> double bound_of(Integer64 x) noexcept {
   constexpr double unknown = std::numeric_limits<double>::infinity();
   if (x.is_node()) return x.bound == 0 ? unknown : x.bound;
@@ -66,7 +66,7 @@ template <class C> [[gnu::always_inline]] inline Integer64 sum(Integer64 x, Inte
   if (bound <= largest_exact) return integer64_of_number(real_of<C>(x) + real_of<C>(y), bound);
   return wide(Op::wide_add, x, y);
 }
-// Not as 0 - x, which gcc takes for -x where x is the conversion of an integer, so that 0 would become -0.
+// A node is not negated as 0 - x: gcc folds it to -x if x is converted from an integer, so that 0 would become -0.
 [[gnu::always_inline]] inline RealNumber negative(RealNumber x) noexcept {
   return x.is_node() ? record(Op::int_neg, x, 0.0, 0.0) : RealNumber(0.0) - x;
 }
@@ -134,7 +134,7 @@ template <class C>
   if (std::isfinite(bound)) return integer64_of_number(select(condition, real_of<C>(y), real_of<C>(z)), bound);
   return integer64_of_bits(record(Op::wide_select, condition.condition(), bits_of(y), bits_of(z)));
 }
-// The same where the one that is chosen is known to lie within bounds of 53 bits.
+// As above, for a result that is known to lie within 53 bits.
 template <class C> [[gnu::always_inline]] inline Integer64 select_bounded(SymbolicBool condition, Integer64 y,
                                                                           Integer64 z, double bound) noexcept {
   return integer64_of_number(select(condition, real_of<C>(y), real_of<C>(z)), bound);

@@ -1,6 +1,6 @@
-// Conversions that the standard library makes by itself, in text that is not rewritten: of the elements that a
-// vector<float> is given, of a sum that is an int, of the result of a callable. Most stand before what they convert,
-// `SymrealReturning<int>() ->* f`, since the operator takes what follows as it is.
+// Conversions that the standard library makes by itself, in text that is not rewritten: of the elements of a
+// vector<float>, of a sum in an int, of the result of a callable. Most precede their operand,
+// `SymrealReturning<int>() ->* f`, since the operator takes the rest of the expression unchanged.
 #pragma once
 
 #ifdef MBD_SYMBOLIC
@@ -13,7 +13,7 @@
 
 namespace symreal {
 
-// What f is, but for its result.
+// Adapts a callable: converts its result to `To`.
 template <class To> struct SymrealReturning {
   template <class Function> constexpr auto operator->*(Function function) const {
     return [function](auto &&...arguments) mutable -> To {

@@ -1,4 +1,4 @@
-// Formulas of the standard library that decide on their arguments, as selects; and which type it computes in.
+// Formulas of the standard library that decide on their arguments, as selects; and the types that it computes in.
 #pragma once
 
 #include <symreal/real_math.h>
@@ -8,8 +8,8 @@
 #include <type_traits>
 
 #ifdef __GLIBCXX__
-// Of several arguments, as double wherever double stands. Without it an overload for RealNumber and another number
-// would be none, and one for int be taken.
+// Promotion of mixed arguments: RealNumber acts like double. Without it the overload for RealNumber and another number
+// would be discarded, and the one for int chosen.
 template <> struct __gnu_cxx::__promote<symreal::RealNumber> {
   using __type = symreal::RealNumber;
 };
@@ -39,7 +39,7 @@ inline RealNumber lerp(RealNumber a, RealNumber b, RealNumber t) noexcept {
 namespace std {
 using symreal::midpoint; // better than the template for arithmetic types
 #ifdef __GLIBCXX__
-// What the overloads for several types come to.
+// The functions to which the overloads for mixed types forward.
 template <> inline symreal::RealNumber __hypot3(symreal::RealNumber x, symreal::RealNumber y, symreal::RealNumber z) {
   return symreal::hypot(x, y, z);
 }

@@ -1,4 +1,4 @@
-// Arrays that are read at an index which depends on an input: what a subscript of a rewritten source becomes.
+// Table lookups: the rewritten form of a subscript whose index may depend on an input.
 #pragma once
 
 #include <symreal/state.h>
@@ -10,24 +10,24 @@ namespace symreal {
 
 namespace detail {
 
-// What the source calls a table, and where.
+// A table's name in the source, and the place of the access.
 struct TableName {
   char const *name, *place;
 };
 
-// One element of `rows` times `columns` numbers side by side; one index where `columns` is 0.
+// One element of `rows` times `columns` contiguous numbers; `column` is ignored if `columns` is 0.
 [[gnu::noinline]] RealNumber const look_up(TableName name, void const *numbers, std::size_t rows, std::size_t columns,
                                            RealNumber row, RealNumber column) noexcept;
-// How many elements a pragma says the pointer points to; 0 where none does.
+// Number of elements that a pragma declares behind the pointer; 0 without such a pragma.
 std::size_t declared_extent(void const *pointer) noexcept;
 
 template <class T> RealNumber index_number(T index) noexcept { return static_cast<double>(index); }
 template <class T> RealNumber index_number(SymbolicInt<T> index) noexcept { return index.number(); }
 
-// As the type of the index in the source: where no table is known this is a decision.
+// The index as an integer: a decision if it is symbolic, since no table is known.
 inline std::ptrdiff_t plain_index(RealNumber index) noexcept { return static_cast<std::ptrdiff_t>(index); }
 
-// An element that is read by itself. Where the extent is known the array was looked at as a whole.
+// One element of a table. Notes a read of it if the extent is unknown; otherwise the array was read as a whole.
 template <class T> RealNumber const element(T const &element, TableName name, std::size_t extent) noexcept {
   return extent == 0 ? symreal_read(element, name.name, name.place) : element;
 }
@@ -42,7 +42,7 @@ template <template <class, std::size_t> class Array, class T, std::size_t n> str
   static constexpr std::size_t columns = n;
 };
 
-// A row of which the first index is known.
+// A row of a table, selected by the first index.
 template <class Row> class TableRow {
 public:
   TableRow(TableName name, Row const *rows, std::size_t extent, RealNumber row) noexcept
@@ -75,7 +75,7 @@ public:
         elements_(elements),
         extent_(extent) {}
 
-  // A row, or a number that nobody can assign to.
+  // A row, or a number as an rvalue.
   template <class Index> decltype(auto) operator[](Index index) const noexcept {
     RealNumber const number = detail::index_number(index);
     if constexpr (detail::RowOf<Element>::columns != 0) {
@@ -89,7 +89,7 @@ public:
 private:
   detail::TableName name_;
   Element const *elements_;
-  std::size_t extent_; // 0: not known
+  std::size_t extent_; // 0: unknown
 };
 
 template <class T, std::size_t n>

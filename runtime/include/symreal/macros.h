@@ -134,9 +134,9 @@
 #define SYMREAL_REAL_DEDUCED(...) (::symreal::symreal_deduced(__VA_ARGS__))
 #define SYMREAL_REAL_VALUE(...) (::symreal::symreal_value(__VA_ARGS__))
 #define SYMREAL_REAL_TO(type, ...) (static_cast<type>(__VA_ARGS__))
-/* In a template: as a double converts to the parameter's type, of a call that was chosen for a double. */
+/* An argument in a template: converts as a double does to the parameter of the overload chosen for double. */
 #define SYMREAL_REAL_ARGUMENT(type, ...) (::symreal::symreal_argument_as<type>(__VA_ARGS__))
-/* Where the type is looked at: of a comparison it is bool. */
+/* A value whose type is observed: a comparison becomes bool. */
 #define SYMREAL_REAL_ERASED(...) (::symreal::symreal_erased(__VA_ARGS__))
 #define SYMREAL_REAL_TRUTH(...) (::symreal::symreal_of_type<::symreal::symreal_plain_type<decltype(__VA_ARGS__)>>())
 /* The order in which a compiler evaluates operands that change what the other reads: it is another one for the
@@ -168,10 +168,10 @@
 /* Bits of an object that numbers share; a count of 0 stands for all of them. */
 #define SYMREAL_REAL_PART(how, first, count, name, place, ...)                                                         \
   (::symreal::symreal_part_##how(__VA_ARGS__, first, count, name, place))
-/* Stands for memmove (and memcpy) or memset. */
+/* Replaces memmove (and memcpy) or memset. */
 #define SYMREAL_REAL_BYTES(how, name, place, ...) ::symreal::SymrealBytes(name, place).symreal_##how
 #define SYMREAL_REAL_ENVIRONMENT(what, name, place, ...) (::symreal::symreal_##what(name, place), __VA_ARGS__)
-/* Stands for a function that makes text, or moves it. */
+/* Replaces a function that makes or moves text. */
 #define SYMREAL_REAL_FORMAT(how, is_used, place, ...)                                                                  \
   ::symreal::SymrealFormat(is_used, place, SYMREAL_SHOWN_FIRST).symreal_##how
 #ifdef SYMREAL_ARGUMENTS_FIRST
@@ -179,7 +179,7 @@
 #else
 #define SYMREAL_SHOWN_FIRST false
 #endif
-/* A function of the program that is given carried values. */
+/* A call that passes carried values to a function of the program. */
 #define SYMREAL_REAL_SHOWS(...) (::symreal::SymrealShows(SYMREAL_SHOWN_FIRST), __VA_ARGS__)
 #define SYMREAL_REAL_TEXT(name, place, ...) (::symreal::symreal_text(__VA_ARGS__, name, place))
 /* Names of types (<symreal/type_names.h>). */
@@ -189,14 +189,14 @@
 #define SYMREAL_AROUND(name, place, ...) ::symreal::symreal_around(__VA_ARGS__, name, place);
 #define SYMREAL_PARAMETER(name, place, ...) ::symreal::symreal_parameter(__VA_ARGS__, name, place);
 #define SYMREAL_LEADS(...) ::symreal::symreal_argument_leads(__VA_ARGS__);
-/* What a class tells about itself: `access` is that of what follows. */
+/* Member functions that describe a class: `access` is the access specifier of the members that follow. */
 #define SYMREAL_REAL_MEMBERS(access, ...)                                                                              \
 public:                                                                                                                \
   void symreal_members(::symreal::SymrealNumbers &symreal_numbers) const {                                             \
     symreal_numbers.symreal_visit(__VA_ARGS__);                                                                        \
   }                                                                                                                    \
   access:
-/* What the size and the offsets are in the original. */
+/* Asserts the size and the offsets of the original. */
 #define SYMREAL_REAL_LAYOUT(access, ...)                                                                               \
 public:                                                                                                                \
   void symreal_layout() const {                                                                                        \
@@ -204,7 +204,7 @@ public:                                                                         
     static_assert((__VA_ARGS__), "this class has another layout with REAL than with double [SYM132]");                 \
   }                                                                                                                    \
   access:
-/* Members of a derived class go into what is left behind the last member of a class like REAL, not of a number. */
+/* Padding: a derived class may reuse the tail padding after a member of class type such as REAL, not after a double. */
 #define SYMREAL_REAL_PADDING(bytes) long long : 8 * (bytes);
 #else
 #define SYMREAL_REAL double
@@ -252,13 +252,13 @@ public:                                                                         
 #define SYMREAL_PARAMETER(...)
 #define SYMREAL_LEADS(...)
 #endif
-/* The overload of that type, which C++ has for a function of C as well. Its address is the same wherever the program
-   takes it, as that of the function is. */
+/* The overload of the given type, of a function for which C++ has several and C one. Its address is unique, as that of
+   C's function. */
 #define SYMREAL_REAL_FUNCTION(type, ...) (*static_cast<::symreal::symreal_pointer_to<type>>(__VA_ARGS__))
-/* A conversion by what its context expects; an enumerator as the integer that it is in C. */
+/* A conversion to the type that the context expects; an enumerator becomes C's integer. */
 #define SYMREAL_REAL_FIT(...) (::symreal::symreal_fit(__VA_ARGS__))
 #define SYMREAL_REAL_ENUM(...) (::symreal::symreal_enumeration(__VA_ARGS__))
-/* What C means by an expression that C++ has other types for (<symreal/of_c.h>). */
+/* C's semantics for expressions to which C++ gives another type (<symreal/of_c.h>). */
 #ifdef SYMREAL_SOURCE_OF_C
 #define SYMREAL_REAL_PROMOTED(...) (::symreal::symreal_promoted(__VA_ARGS__))
 #define SYMREAL_REAL_OF_C(type, ...) (::symreal::symreal_of_c<type>((__VA_ARGS__)))
@@ -278,14 +278,14 @@ public:                                                                         
 #define SYMREAL_REAL_COMPOUND(type, ...) type __VA_ARGS__
 #define SYMREAL_REAL_WIDTH(bits, is_signed, ...) (__VA_ARGS__)
 #endif
-/* What a macro makes of the spelling `double`, which does not stand there any more. */
+/* Text that a macro derives from the spelling `double`, which the rewritten source lacks. */
 #define SYMREAL_REAL_PASTED(text, ...) SYMREAL_UNPACKED text
 #define SYMREAL_UNPACKED(...) __VA_ARGS__
-/* C sources are compiled as C++ here: what is a keyword of C++ gets another name, and what a library has under a C name
-   keeps it. */
+/* C sources are compiled as C++ here: identifiers that are keywords of C++ are renamed, and C names of a library are
+   kept. */
 #define SYMREAL_REAL_NAME(name) symreal_##name
 #define SYMREAL_REAL_EITHER(original, ...) __VA_ARGS__
-/* What C++ needs and C has no words for. */
+/* Constructs that C++ needs and C lacks. */
 #define SYMREAL_REAL_ONLY(...) __VA_ARGS__
 #define SYMREAL_REAL_BUILTIN(name) ::std::name
 #define SYMREAL_REAL_TYPE(name, ...) __VA_ARGS__
@@ -294,7 +294,7 @@ public:                                                                         
   extern "C" {                                                                                                         \
   __VA_ARGS__;                                                                                                         \
   }
-/* Where the pragma of an annotation stands. The frame tells the kernel's own stack. */
+/* Place of an annotation's pragma. The frame delimits the kernel's own stack. */
 #define SYMREAL_PLACE(file, line, column) {file, line, column, __builtin_frame_address(0)}
 
 #define SYMREAL_OBJECT(kind, label, file, line, column, ...)                                                           \
@@ -315,10 +315,10 @@ public:                                                                         
         (void)symreal_i;                                                                                               \
         return (__VA_ARGS__);                                                                                          \
       });
-/* What an item of an annotation takes elements of: `name` is the object in words. */
+/* Indexed object of an annotation's item: `name` is its spelling. */
 #define SYMREAL_INDEX(count, name, ...) (::symreal::symreal_index(count, name, __VA_ARGS__))
 #define SYMREAL_ELEMENT(name, index, ...) (::symreal::symreal_element(name, index, __VA_ARGS__))
-/* Structures: `types` are those of the containers in them, in parentheses. */
+/* Structures: `types` lists the types of their containers, in parentheses. */
 #define SYMREAL_LAYOUT(kind, label, file, line, column, layout, types, ...)                                            \
   ::symreal::symreal_annotate_layout<SYMREAL_WORDS types>(::symreal::symreal_kind_##kind, label,                       \
                                                           SYMREAL_PLACE(file, line, column), layout,                   \
@@ -363,7 +363,7 @@ public:                                                                         
   });
 #define SYMREAL_RETURN(label, file, line, column, ...)                                                                 \
   (symreal_kernel.symreal_returned(label, SYMREAL_PLACE(file, line, column), __VA_ARGS__))
-/* What the function returns, made of the expression as `return` makes it. */
+/* The function's result, converted from the expression as by `return`. */
 #define SYMREAL_RETURNED_AS(type, ...) [&]() -> SYMREAL_WORDS type { return __VA_ARGS__; }()
 #define SYMREAL_RETURN_AS(label, file, line, column, type, ...)                                                        \
   SYMREAL_RETURN(label, file, line, column, SYMREAL_RETURNED_AS(type, __VA_ARGS__))
@@ -422,7 +422,7 @@ public:                                                                         
 
 #else
 
-/* Decisions, in every mode but the symbolic one: what stood there. */
+/* Decisions, in every mode but the symbolic one: the original tokens. */
 #define SYMREAL_REAL_IF(targets, ...) if (__VA_ARGS__)
 #define SYMREAL_REAL_RETURN_IF(targets, ...) if (__VA_ARGS__)
 #define SYMREAL_REAL_COND(...) __VA_ARGS__

@@ -1,4 +1,4 @@
-// How to get from an object to the numbers that it consists of: shared by annotations and by the look at hidden state.
+// Traversal of an object's numbers, shared by annotations and the detection of hidden state.
 #pragma once
 
 #include <symreal/real_number.h>
@@ -37,14 +37,14 @@ template <class T> constexpr bool integer_type() {
   return false;
 }
 template <class T> inline constexpr bool is_integer = integer_type<T>();
-// Numbers that stay as they are: no REAL, which is a class that says it is a number, and no double, which is one of
-// code that is not rewritten.
+// float and long double. A REAL is a class to which the traits answer as to double; a double itself occurs only in code
+// that is not rewritten.
 template <class T> inline constexpr bool is_narrow_or_wide =
     std::is_floating_point_v<T> && !is_class<T> && !std::is_same_v<std::remove_cv_t<T>, double>;
 template <class T> inline constexpr bool is_function_pointer =
     (std::is_pointer_v<T> && std::is_function_v<std::remove_pointer_t<T>>) || std::is_member_pointer_v<T>;
 template <class T> inline constexpr bool is_scalar = is_integer<T> || is_narrow_or_wide<T> || is_function_pointer<T>;
-// An object of a library whose value is none of numbers and elements: text, std::variant, std::any, std::function,
+// True for a library class with a value besides its numbers and elements: text, std::variant, std::any, std::function,
 // std::atomic, std::bitset, std::vector<bool>, std::weak_ptr, std::chrono::duration.
 template <class T> constexpr bool has_value_of_its_own() {
   return requires(T const &object) { object.c_str(); } ||

@@ -1,5 +1,5 @@
-// Structures are annotated by where their numbers lie: so private members are reached, packed ones, and those of C. The
-// rewriter writes it down as text, the same for symbolic, replay and original programs, which lay them out alike.
+// Annotations of structures by their layout, which covers private members, packed ones, and structures of C. The
+// rewriter emits the layout as text, the same for symbolic, replay and original programs, which lay them out alike.
 //
 //   shape  := { "[" count "]" } what
 //   what   := "d"                           a number

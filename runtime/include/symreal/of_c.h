@@ -1,5 +1,5 @@
-// What C means by an expression where C++ would give it another type. Each leaves what it does not concern as it is:
-// the text may be a macro's, which is compiled with other types as well.
+// C's semantics for expressions to which C++ gives another type. Each function passes other operands unchanged: the
+// text may be a macro's, compiled with several types.
 #pragma once
 
 #include <symreal/compound_literals.h>
@@ -15,7 +15,7 @@ namespace detail {
 template <class T> inline constexpr bool is_narrow =
     std::is_integral_v<T> && !is_class<T> && (sizeof(T) < sizeof(int) || std::is_same_v<T, wchar_t>);
 
-// What an operand becomes as an rvalue: an array a pointer.
+// Type of an operand as an rvalue: an array decays to a pointer.
 template <class T> using Value = std::remove_cv_t<std::decay_t<T const &>>;
 
 } // namespace detail
@@ -133,7 +133,7 @@ template <class A, class B> inline constexpr bool symreal_compatible =
     detail::is_compatible<typename detail::TypeInC<std::remove_cv_t<std::remove_reference_t<A>>>::Type,
                           typename detail::TypeInC<std::remove_cv_t<std::remove_reference_t<B>>>::Type>();
 
-// Of _Generic: is it the type of the controlling expression's value? The default is looked at last, when no other is.
+// True if an association of _Generic has the controlling expression's type. The default is tested last and matches.
 struct SymrealOtherwise {};
 template <class Control, bool is_last, class Type> constexpr bool symreal_is_associated() noexcept {
   if constexpr (std::is_same_v<Type, SymrealOtherwise>)
@@ -173,7 +173,7 @@ template <class Control, bool is_last, class Type> constexpr bool symreal_is_ass
       return (__VA_ARGS__);                                                                                            \
   }())
 
-// Words of C, as gcc has them in C++. What `restrict` promises to the compiler means nothing for the values.
+// Keywords of C, as gcc spells them in C++. `restrict` is dropped: it does not affect values.
 #ifndef SYMREAL_BEFORE_C99
 #define restrict
 #endif

@@ -39,7 +39,7 @@ SYMREAL_LATER(!=)
 #undef SYMREAL_LATER
 } // namespace types
 
-// What the function gives: a number by its value, an object that has to be converted as it is.
+// Result type of the function: a number by value; an lvalue of any other type as a reference.
 template <class T> using later_result =
     std::conditional_t<std::is_lvalue_reference_v<T> && !is_number_or_truth<std::remove_cvref_t<T>>, T,
                        std::remove_cvref_t<T>>;
@@ -48,7 +48,7 @@ template <class T>
 [[gnu::always_inline]] constexpr later_result<T> symreal_later_value(T &&x) noexcept {
   return static_cast<T &&>(x);
 }
-// A bit-field among them, to which a reference cannot be bound.
+// Arithmetic operands, bit-fields included, to which a reference cannot bind.
 template <class T>
   requires std::is_arithmetic_v<T>
 [[gnu::always_inline]] constexpr T symreal_later_value(T const &x) noexcept {

@@ -12,55 +12,54 @@
 extern "C" {
 #endif
 
-/* An annotated object begins; whether it counts now. */
+/* Begins an annotated object; returns whether it takes effect now. */
 int symreal_original_object(char const *kind, char const *label, char const *file, unsigned line, unsigned column,
                             void const *frame);
-/* Its numbers, row by row, each sizeof(double) bytes; of a constant or scratch object its bytes. */
+/* Its numbers, row by row, of sizeof(double) bytes each; the bytes of a constant or scratch object. */
 void symreal_original_bytes(void const volatile *begin, __SIZE_TYPE__ size, int is_temporary);
-/* The same of a structure, by where its numbers lie (object_layout.h); `containers` visit the elements of those in it.
- */
+/* As above, for a structure with its layout (object_layout.h); `containers` visit the elements of its containers. */
 typedef void (*symreal_original_each)(void *context, void const volatile *element);
 typedef __SIZE_TYPE__ (*symreal_original_visit)(void const volatile *container, symreal_original_each each,
                                                 void *context, __SIZE_TYPE__ *extents);
 void symreal_original_layout(void const volatile *begin, char const *layout, symreal_original_visit const *containers,
                              int is_temporary);
-/* All objects of static storage duration with these names of the linker, separated by blanks. */
+/* All objects of static storage duration with these linker names, separated by blanks. */
 void symreal_original_statics(char const *names);
-/* An object that holds such numbers, maybe elsewhere: of an output its own bytes may change as well. */
+/* An object that owns such numbers, in place or elsewhere; if it is an output, its own bytes may change too. */
 void symreal_original_holder(void const volatile *begin, __SIZE_TYPE__ size);
 void symreal_original_object_end(void);
-/* A returned object, as a whole: the caller's room for it changes. */
+/* A returned object as a whole: its storage in the caller may change. */
 void symreal_original_handed_over(int active, void const volatile *begin, __SIZE_TYPE__ size);
-/* An index of an item, of which there are `count`; `object` in words. */
+/* Checks the index of an item against `count`; `object` is the spelling of the indexed object. */
 void symreal_original_check_index(__PTRDIFF_TYPE__ index, __PTRDIFF_TYPE__ count, char const *object);
-/* The kernel's own, though it may lie with its caller: a parameter. */
+/* A parameter: the kernel's own memory, even if it lies in the caller's frame. */
 void symreal_original_own(void const volatile *begin, __SIZE_TYPE__ size);
-/* An argument that the caller may choose as it likes: text, an object that a wrapper refuses. */
+/* An argument that the caller chooses freely: text, or an object that a wrapper refuses. */
 void symreal_original_chosen(void const volatile *begin, __SIZE_TYPE__ size);
-/* A function with a pragma is entered; whether this call is the kernel. */
+/* Enters a function with a pragma; returns whether this call is the kernel. */
 int symreal_original_function(char const *name, char const *file, unsigned line, unsigned column, unsigned call,
                               void const *frame);
-/* Its inputs are met. */
+/* All its inputs are annotated. */
 int symreal_original_entered(int active);
-/* Its outputs follow; whether they do. */
+/* Announces its outputs; returns whether they follow. */
 int symreal_original_leaving(int active);
 void symreal_original_function_end(int active);
-/* The generated code of the kernel: 0, or the guard that does not hold. */
+/* Runs the generated code of the kernel; returns 0, or the violated guard. */
 int symreal_original_compute(double const *input, double const *parameters, double *output);
-/* The returned value, as an output; of a structure with its layout. */
+/* The returned value as an output; `layout` describes a structure. */
 void symreal_original_returned(int active, char const *label, char const *file, unsigned line, unsigned column,
                                void *value, __SIZE_TYPE__ size, char const *layout);
-/* The object that is returned, as a whole: what is no number in it is compared with what a wrapper returns. */
+/* The returned object as a whole: its parts other than numbers are compared with the wrapper's result. */
 void symreal_original_whole(int active, void const volatile *object);
-/* Numbers that leave in registers, which no annotation reaches later: they are ordinary ones again. */
+/* Numbers returned in registers, beyond the reach of later annotations: makes them ordinary numbers again. */
 void symreal_original_settle(void volatile *begin, __SIZE_TYPE__ size);
-/* What else a pragma says of its kernel, for a recording. */
+/* The other clauses of a kernel's pragma, for a recording. */
 void symreal_original_range(double low, double high);
 void symreal_original_state(char const *state, char const *derivative, char const *file, unsigned line,
                             unsigned column);
 void symreal_original_differentiate(char const *wish, char const *file, unsigned line, unsigned column);
 void symreal_original_generate(char const *name, char const *file, unsigned line, unsigned column);
-/* Objects are looked up when the function is entered, and read when it returns. */
+/* Resolves output objects when the function is entered, and reads them when it returns. */
 void symreal_original_later(int active);
 void symreal_original_outputs(int *active);
 #ifdef __x86_64__
@@ -76,7 +75,7 @@ void symreal_original_keep(void const *frame);
 #endif
 
 #define SYMREAL_ORIGINAL_FRAME __builtin_frame_address(0)
-/* Where a program that tries a wrapper has its statements. */
+/* Placeholder for the statements of a program that tests a wrapper. */
 #define SYMREAL_ORIGINAL_WRAPPER(name, file, line, column)
 
 #ifdef __x86_64__
@@ -104,7 +103,7 @@ void symreal_original_keep(void const *frame);
 
 #ifndef __cplusplus
 
-/* The rewriter knows what can be known of an object of C. */
+/* In C the rewriter alone determines the numbers of an object. */
 #define SYMREAL_ELEMENT(name, index, ...) ((__VA_ARGS__)[index])
 #define SYMREAL_ORIGINAL_IS_ACTIVE symreal_kernel
 #define SYMREAL_ORIGINAL_OWN(object) symreal_original_own(&(object), sizeof(object));
@@ -143,7 +142,7 @@ void symreal_original_keep(void const *frame);
     symreal_value;                                                                                                     \
   }))
 #ifndef __clang__
-/* Whatever way leaves the function, its end runs this, which sees the parameters as they are then. */
+/* Every exit of the function runs this, which sees the current values of the parameters. */
 #define SYMREAL_ORIGINAL_OUTPUTS(...)                                                                                  \
   __extension__ void symreal_on_return(int *symreal_active) {                                                          \
     if (symreal_original_leaving(*symreal_active)) {                                                                   \
@@ -154,7 +153,7 @@ void symreal_original_keep(void const *frame);
   int symreal_outputs __attribute__((__cleanup__(symreal_on_return), __unused__)) =                                    \
       symreal_original_entered(symreal_kernel);
 #else
-/* Without functions in functions: what the items name is looked up at the function's entry. */
+/* Without nested functions: the objects of the items are resolved at the function's entry. */
 #define SYMREAL_ORIGINAL_OUTPUTS(...)                                                                                  \
   int symreal_outputs __attribute__((__cleanup__(symreal_original_outputs), __unused__)) =                             \
       symreal_original_entered(symreal_kernel);                                                                        \
@@ -213,7 +212,7 @@ template <class T> void walk(T &object, bool is_temporary) {
   look(object, is_temporary, Choice<9>());
 }
 template <class T> void symreal_numbers(T &&object) { walk(object, !IsLvalue<T &&>::value); }
-/* What is in a container of a structure. */
+/* Visitor of the elements of a container in a structure. */
 template <class T> struct Elements {
   symreal_original_each each;
   void *context;
@@ -241,7 +240,7 @@ template <class... Containers> struct Visits {
   }
 };
 template <class... Containers> symreal_original_visit const *symreal_visits() { return Visits<Containers...>::list(); }
-/* How many elements an object has from index 0 on; -1 where it does not tell (<symreal/annotate.h>). */
+/* Number of elements of an object from index 0 on; -1 if unknown (<symreal/annotate.h>). */
 template <class T, __SIZE_TYPE__ size> __PTRDIFF_TYPE__ element_count(T (&)[size], Choice<4>) {
   return size > 1 ? static_cast<__PTRDIFF_TYPE__>(size) : -1;
 }
@@ -278,7 +277,7 @@ template <class T> void symreal_bytes(T const &object) {
   symreal_original_bytes(&reinterpret_cast<char const volatile &>(object), sizeof object, 0);
 }
 
-/* What a function that returns a number, or an object of numbers, makes of a returned expression. */
+/* Type of a returned expression after the conversion of `return`, for a number or an object of numbers. */
 template <class T> struct IsClass {
   enum { value = __is_class(T) || __is_union(T) };
 };
@@ -388,7 +387,7 @@ template <class Outputs> OnReturn<Outputs> symreal_on_return(int active, Outputs
   SYMREAL_ORIGINAL_AGAIN(symreal_kernel.symreal_active())
 #define SYMREAL_RETURN(label, file, line, column, ...)                                                                 \
   (symreal_kernel.symreal_returned(label, file, line, column, __VA_ARGS__))
-/* What the function returns, made of the expression as `return` makes it. */
+/* The function's result, converted from the expression as by `return`. */
 #define SYMREAL_RETURNED_AS(type, ...) [&]() -> SYMREAL_WORDS type { return __VA_ARGS__; }()
 #define SYMREAL_RETURN_AS(label, file, line, column, type, ...)                                                        \
   SYMREAL_RETURN(label, file, line, column, SYMREAL_RETURNED_AS(type, __VA_ARGS__))

@@ -34,7 +34,7 @@ namespace symreal {
   SYMREAL_MIXED_3(id, RealNumber, RealNumber, T)                                                                       \
   SYMREAL_MIXED_3(id, RealNumber, T, RealNumber)                                                                       \
   SYMREAL_MIXED_3(id, T, RealNumber, RealNumber)
-// Better than the library's for arguments of several types, which would call itself.
+// A better match than the library's overload for mixed types, which would call itself.
 #define SYMREAL_MIXED_3(id, X, Y, Z)                                                                                   \
   template <class T, class U = int, class = std::enable_if_t<std::is_arithmetic_v<T> && std::is_arithmetic_v<U>>>      \
   RealNumber id(X x, Y y, Z z) noexcept {                                                                              \
@@ -84,7 +84,7 @@ SymbolicInt<long long> llround(RealNumber x) noexcept;
 SymbolicInt<long> lrint(RealNumber x) noexcept;
 SymbolicInt<long long> llrint(RealNumber x) noexcept;
 
-// Other results that are no real numbers: decided on the carried value and reported.
+// Other results that are not real numbers: computed from the carried value and reported as decisions.
 inline RealNumber frexp(RealNumber x, int *exponent) noexcept { return std::frexp(static_cast<double>(x), exponent); }
 // The quotient has its last three bits, as that of glibc.
 inline RealNumber remquo(RealNumber x, RealNumber y, int *quotient) noexcept {

@@ -1,4 +1,4 @@
-// RealNumber: what stands in place of double while a program records itself.
+// RealNumber: the type that replaces double while a program records itself.
 //
 // It is 8 bytes, trivially copyable, and its only member is a double. An ordinary double *is* a constant; a node of the
 // recorded graph rides in the payload of a signalling NaN with the sign bit set:
@@ -46,30 +46,30 @@ namespace symreal {
 
 namespace detail {
 
-// Is it one for the compiler? std::is_class says of RealNumber what it says of double.
+// True if the compiler sees a class; std::is_class treats RealNumber as double.
 template <class T> inline constexpr bool is_class = __is_class(T);
 
-// Bits 63..50, the same of all nodes: what compilers leave of the test in registers is no trace of the path.
+// Bits 63..50 of every node. As a constant, it leaves no trace of the path in the registers of the test.
 inline constexpr std::uint64_t node_shape = 0x3FFDu;
 inline constexpr unsigned node_shape_at = 50;
 constexpr std::uint64_t bits(double value) noexcept { return __builtin_bit_cast(std::uint64_t, value); }
 
-// How many operations the program has executed, by kind: per thread, counted whether or not an operand is a node.
+// Number of operations executed, by kind and thread, with or without node operands.
 extern __thread std::uint64_t executed[static_cast<unsigned>(Op::count)];
 
 // Slow paths, in the library. `record` makes or finds the node of an operation.
 [[gnu::noinline]] RealNumber record(Op op, RealNumber x, RealNumber y, RealNumber z) noexcept;
-// An operation whether or not an operand is a node: for sources in which a decision at each would be too much for the
-// compiler (SYMREAL_CALLED_OPERATORS).
+// An operation on any operands, out of line: for sources in which an inline test for nodes at each operation would
+// overload the compiler (SYMREAL_CALLED_OPERATORS).
 [[gnu::noinline]] RealNumber operate(Op op, RealNumber x, RealNumber y) noexcept;
 [[gnu::noinline]] double carried_value(RealNumber x) noexcept;
-// As carried_value, for something that needs it: an input without a value is an error here.
+// As carried_value, for a use that needs the value: an input without one is an error.
 [[gnu::noinline]] double needed_value(RealNumber x) noexcept;
-// The same, on its way into text (text.h).
+// As above, for conversion to text (text.h).
 [[gnu::noinline]] double shown_value(RealNumber x) noexcept;
-// The node of a comparison; where the premise of the floating-point mode settles it (x != x), the truth value.
+// The node of a comparison; a truth value if the premise of the floating-point mode settles it (x != x).
 [[gnu::noinline]] RealNumber compare(Op op, RealNumber x, RealNumber y) noexcept;
-// Whether x is finite, as a comparison; settled like one.
+// The condition that x is finite; settled like a comparison.
 [[gnu::noinline]] RealNumber compare_finite(RealNumber x) noexcept;
 // A decision on a condition, a conversion: the program goes on with the carried value. By policy the decision becomes
 // a guard of the kernel, or its place is reported.
@@ -78,9 +78,9 @@ bool decide_on(std::uint64_t condition) noexcept;
 [[gnu::always_inline]] inline bool decide(RealNumber condition) noexcept;
 [[gnu::noinline]] double convert_to_integer(RealNumber x) noexcept;
 [[gnu::noinline]] double convert(RealNumber x) noexcept;
-// The program computes x by a function that may set errno.
+// Notes that x is computed by a function that may set errno.
 [[gnu::noinline]] void may_set_error(RealNumber x) noexcept;
-// Whether both arms of a decision are recorded where the source allows it, and truth values become numbers without one.
+// True if both arms of a decision are recorded where possible, and truth values become numbers without a decision.
 bool selects() noexcept;
 
 template <class> inline constexpr bool is_symbolic_int = false;
@@ -90,8 +90,8 @@ template <class T> inline constexpr bool is_symbolic_int<SymbolicInt<T>> = true;
 
 namespace types {
 
-// packed: compilers drop that attribute of a structure when one of its members is a class that has none itself. The
-// alignment stays that of a double.
+// packed: compilers ignore `packed` on a structure with a member whose class is not packed itself. The alignment stays
+// that of a double.
 class [[gnu::packed, gnu::aligned(alignof(double))]] RealNumber {
   double value_;
 
@@ -106,8 +106,8 @@ public:
 
   template <class T, std::enable_if_t<std::is_enum_v<T>, int> = 0> explicit constexpr RealNumber(T value) noexcept
       : value_(static_cast<double>(value)) {}
-  // Of volatile numbers, which recording sees like any other. As templates these are no copy operations of the class,
-  // which stays trivially copyable.
+  // Copies from and to volatile numbers, recorded like any other. As templates they do not count as copy operations, so
+  // the class stays trivially copyable.
   template <class T, IfReal<T> = 0> constexpr RealNumber(T const volatile &other) noexcept : value_(other.value_) {}
   template <class T, IfReal<T> = 0> constexpr RealNumber(T const volatile &&other) noexcept : value_(other.value_) {}
   template <class T, IfReal<T> = 0> void operator=(T const volatile &other) volatile noexcept { value_ = other.value_; }
@@ -129,7 +129,7 @@ public:
     return *this = RealNumber(other);
   }
 
-  // 1 where the condition holds, else 0. Under policy `select` that stays symbolic, else it is a decision.
+  // 1 if the condition holds, else 0: symbolic under policy `select`, else by a decision.
   inline RealNumber(SymbolicBool condition) noexcept;
 
   static constexpr RealNumber from_bits(std::uint64_t bits) noexcept {
@@ -139,7 +139,7 @@ public:
   }
   constexpr std::uint64_t to_bits() const noexcept { return detail::bits(value_); }
   constexpr bool is_node() const noexcept { return to_bits() >> detail::node_shape_at == detail::node_shape; }
-  // The number itself where it is no node.
+  // The number itself. Requires !is_node().
   constexpr double plain() const noexcept { return value_; }
 
   template <class T, class = std::enable_if_t<std::is_arithmetic_v<T> && !std::is_same_v<T, bool>>>
@@ -207,13 +207,13 @@ public:
 static_assert(sizeof(RealNumber) == 8 && alignof(RealNumber) == alignof(double));
 static_assert(std::is_trivially_copyable_v<RealNumber> && std::is_trivially_default_constructible_v<RealNumber>);
 
-// What a comparison yields: a truth value that knows what it was computed from. Converting it to bool is a decision.
+// Result of a comparison: a truth value that keeps its symbolic condition. Converting it to bool is a decision.
 class SymbolicBool {
 public:
   // Explicit: otherwise `c ? x < y : flag` might become either type.
   explicit constexpr SymbolicBool(bool value) noexcept : condition_(value) {}
-  // Written out: compilers refuse to pass a class with a constructor of its own through `...`, where it would arrive as
-  // bytes that nobody understands.
+  // Not defaulted: compilers refuse to pass a class with a user-provided copy constructor through `...`, whose callee
+  // would misread the bytes.
   constexpr SymbolicBool(SymbolicBool const &other) noexcept : condition_(other.condition_) {}
   constexpr SymbolicBool &operator=(SymbolicBool const &) = default;
   constexpr SymbolicBool &operator=(bool value) noexcept { return *this = SymbolicBool(value); }
@@ -227,11 +227,11 @@ public:
   [[gnu::always_inline]] constexpr operator bool() const noexcept {
     return condition_.is_node() ? detail::decide(condition_) : holds();
   }
-  // Of one that is not symbolic. By its bits: a compiler may compare numbers ahead of the test for a node, and
+  // Requires !is_symbolic(). Compares bits: a compiler may hoist a comparison of numbers above the test for a node, and
   // comparing a node is an invalid operation.
   constexpr bool holds() const noexcept { return condition_.to_bits() != 0; }
   constexpr bool is_symbolic() const noexcept { return condition_.is_node(); }
-  // As a number: a node where it is symbolic, else 0 or 1.
+  // The truth value as a number: a node if symbolic, else 0 or 1.
   constexpr RealNumber condition() const noexcept { return condition_; }
 
 private:
@@ -240,8 +240,8 @@ private:
 
 } // namespace types
 
-// What is no longer wanted of the registers that a call preserves is the same on all ways that come here. (Clang may
-// address its stack by rbx.)
+// Clears dead callee-saved registers, so that they are the same on every path to a decision. (Clang may address its
+// stack by rbx.)
 inline bool detail::decide(RealNumber condition) noexcept {
 #if defined(__x86_64__) && defined(__clang__)
   asm volatile("xorl %%r12d, %%r12d\n\txorl %%r13d, %%r13d\n\txorl %%r14d, %%r14d\n\txorl %%r15d, %%r15d" ::
@@ -269,7 +269,7 @@ SYMREAL_COMPARISON(>=, ge)
 SYMREAL_COMPARISON(==, eq)
 SYMREAL_COMPARISON(!=, ne)
 #undef SYMREAL_COMPARISON
-// As plain values, each of the comparisons a decision.
+// Compares plain values; each comparison is a decision.
 [[gnu::always_inline]] inline constexpr std::partial_ordering operator<=>(RealNumber x, RealNumber y) noexcept {
   if (x < y) return std::partial_ordering::less;
   if (x > y) return std::partial_ordering::greater;
@@ -295,8 +295,8 @@ SYMREAL_COMPARISON(!=, ne)
 template <class T, bool = __is_class(T)> inline constexpr bool is_plain_number = false;
 template <class T> inline constexpr bool is_plain_number<T, false> = std::is_arithmetic_v<T>;
 
-// A plain number as it is: where it had to be converted, a class that is made of a number too and has the operator
-// would do as well, vector(int) in 5 * epsilon.
+// Overloads for a plain number, without a conversion: with one, a class that has the operator and a constructor
+// from a number would be as good a match, as vector(int) in 5 * epsilon.
 #define SYMREAL_BESIDE_PLAIN(op)                                                                                       \
   template <class T, std::enable_if_t<is_plain_number<T>, int> = 0>                                                    \
   [[gnu::always_inline]] constexpr RealNumber operator op(T x, RealNumber y) noexcept {                                \
@@ -312,7 +312,7 @@ SYMREAL_BESIDE_PLAIN(*)
 SYMREAL_BESIDE_PLAIN(/)
 #undef SYMREAL_BESIDE_PLAIN
 
-// i += x for an arithmetic i: what the original did, a conversion back included.
+// i += x for an arithmetic i, as in the original: with a conversion back.
 #define SYMREAL_COMPOUND(op)                                                                                           \
   template <class T, class = std::enable_if_t<std::is_arithmetic_v<T>>>                                                \
   constexpr T &operator op##=(T & x, RealNumber y) noexcept {                                                          \
@@ -333,13 +333,13 @@ template <class T, class = std::enable_if_t<std::is_arithmetic_v<T>>> constexpr 
   return x;
 }
 inline bool symreal_value(SymbolicBool x) noexcept { return symreal_value(x.condition()) != 0; }
-// What a template prints besides numbers.
+// Values of other types, which a template may print, pass unchanged.
 template <class T, class = std::enable_if_t<!std::is_arithmetic_v<std::decay_t<T>>>>
 constexpr T &&symreal_value(T &&x) noexcept {
   return static_cast<T &&>(x);
 }
 
-// y where the condition holds, else z; both are computed.
+// y if the condition holds, else z; both are computed.
 [[gnu::always_inline]] inline RealNumber select(SymbolicBool condition, RealNumber y, RealNumber z) noexcept {
   if (condition.is_symbolic()) return detail::record(Op::select, condition.condition(), y, z);
   return condition.holds() ? y : z;

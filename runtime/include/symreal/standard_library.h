@@ -1,5 +1,5 @@
-// What the standard library must know of RealNumber. The default numeric_limits would return 0 and silently ruin every
-// tolerance built on it.
+// Specialisations of standard templates for RealNumber. The default numeric_limits would return 0 and silently ruin
+// every tolerance built on it.
 #pragma once
 
 #include <symreal/complex.h>

@@ -1,10 +1,10 @@
-// Hidden state: what a kernel reads or changes through members, pointers, references and names of static storage. The
-// rewriter wraps such uses; while a kernel is recorded each address is judged once.
+// Hidden state: objects that a kernel reads or changes through members, pointers, references and names of static
+// storage. The rewriter wraps such uses; while a kernel is recorded each address is judged once.
 //
 // An address is the kernel's own if it lies on the stack below the frame in which the kernel began or in a heap block
 // that was allocated since, or if the kernel wrote it before reading it. Any other number or scalar that it reads is
 // baked in, unless it is annotated; any other number that it leaves with a node in it, and any other scalar that it
-// changes, is state that is no output.
+// changes, is state missing from the outputs.
 #pragma once
 
 #include <symreal/annotate.h>
@@ -20,14 +20,14 @@ namespace symreal {
 namespace detail {
 
 extern __thread bool recording;
-// The stack of the kernel itself.
+// Bounds of the kernel's own stack.
 extern __thread std::uintptr_t own_stack, own_stack_size;
 
 inline bool on_own_stack(void const *address) noexcept {
   return reinterpret_cast<std::uintptr_t>(address) - own_stack < own_stack_size;
 }
 
-// The locals of the function in which a block kernel begins, or none: they lie on this stack and outlive the kernel.
+// Locals of the function around a block kernel; empty otherwise. They lie on this stack and outlive the kernel.
 extern __thread std::uintptr_t around_begin, around_size;
 bool is_around(void const *address) noexcept;
 
@@ -36,45 +36,45 @@ inline bool is_own(void const *address) noexcept {
   return on_own_stack(address) && !(may_be_around && is_around(address));
 }
 
-// Who can name the object: anybody; one function; one that writes it before it reads it on every path; the one around a
-// block kernel, whose locals may be changed; the kernel itself, of its parameters, which may lie with the caller.
+// Functions that can name an object: any; one; one that writes it before it reads it on every path; the one around a
+// block kernel, whose locals may change; the kernel itself, whose parameters may lie in the caller's frame.
 enum class Scope { any, function, scratch, around, parameter };
 void note_static(void const *object, std::size_t size, Scope scope, char const *name, char const *place) noexcept;
 void note_local(void const *object, std::size_t size, Scope scope, char const *name, char const *place) noexcept;
-// A pointer to an object: state where it leads nowhere, or to constant memory. What lies behind it is looked at itself,
+// Notes a read of a pointer, which is state if it is null or points to constant memory. Its target is judged by itself,
 // unless it is text.
 enum class Behind { text, objects };
 void note_pointer_read(void const *pointer, Behind what, char const *name, char const *place) noexcept;
-// The pointers in these bytes were chosen by others than the kernel: constants behind them are read like what lies in
-// other memory.
+// Notes that code outside the kernel chose the pointers in these bytes: reads of constants behind them count as state,
+// as in other memory.
 void note_chosen(void const *begin, std::size_t size) noexcept;
 void note_scalar_written(ScalarObject scalar, char const *name, char const *place) noexcept;
 void note_written(void const *begin, std::size_t size, char const *name, char const *place) noexcept;
-// The object outlives this statement: if it still exists when the kernel ends, its numbers are looked at again.
+// Notes a change to an object: if it still exists when the kernel ends, its numbers are judged again.
 void note_changed(void const *object, Visit visit, char const *name, char const *place) noexcept;
-// The number of the object's elements is used, for which elements that are annotated vouch. False where the kernel has
-// made them itself.
+// Notes a use of the number of the object's elements, for which annotated elements vouch. False if the kernel has made
+// them itself.
 bool note_counted(void const *object, Visit visit) noexcept;
-// Bytes that are used as something else than numbers: an error where a node is among them.
+// Bytes used as a type other than a number: reports an error if they contain a node.
 void check_bits(void const *begin, std::size_t size, char const *name, char const *place) noexcept;
-// The same, for all that may lie behind a pointer.
+// As above, for all memory that a pointer may reach.
 void check_view(void const *begin, char const *name, char const *place) noexcept;
-// Bits of an object are about to get new values. If they are not all of a symbolic number, what is left of that is an
-// error where it is used, and in an object that holds a number and nothing else in any case.
+// Notes a store to bits of an object. If it overwrites part of a symbolic number, a use of the torn number is an error;
+// in an object that holds only a number the store itself is one.
 enum class Holds { anything, number };
 void note_bits_stored(void const *begin, std::size_t first, std::size_t count, Holds holds, char const *name,
                       char const *place) noexcept;
-// Whether there are any such numbers, and that they are used.
+// True if torn numbers exist; and the note of a use of one.
 extern __thread bool any_torn;
 void note_number_used(void const *begin, std::size_t size, char const *name, char const *place) noexcept;
-// Bits that are used as something else than numbers.
+// As check_bits, for a range of bits.
 void check_part(void const *begin, std::size_t first, std::size_t count, char const *name, char const *place) noexcept;
-// The ends of a range come in any order; the second to come gets the other.
+// Pairs the ends of a range, which come in either order: the second call returns the other end, the first null.
 void const *other_range_end(void const *end, bool is_last, char const *place) noexcept;
 
 inline void const *bytes_of(void const volatile *object) noexcept { return const_cast<void const *>(object); }
 
-// What to do with each part of an object that is read.
+// Visitor that notes a read of each part of an object.
 struct ReadParts {
   char const *name, *place;
   void operator()(RealNumber const *number) const noexcept {
@@ -138,7 +138,7 @@ template <class T> void read_object(T &object, char const *name, char const *pla
   }
 }
 
-// The first number or, if it has none, the first scalar that an object holds.
+// Visitor that finds the first number of an object, or its first scalar if it holds only scalars.
 struct FirstPart {
   void const *number = nullptr, *scalar = nullptr;
   void operator()(RealNumber const *found) noexcept { number = number ? number : found; }
@@ -146,8 +146,8 @@ struct FirstPart {
   void const *address() const noexcept { return number ? number : scalar; }
 };
 
-// What decides is the object itself: the text that it is, the object that a pointer leads to, how many elements there
-// are. Elements that are annotated vouch for their number.
+// Notes that control flow depends on the object itself: its text, a pointer's target, the number of its elements.
+// Annotated elements vouch for their number.
 template <class T> void decided_by(T &object, char const *name, char const *place) noexcept {
   using Plain = std::remove_cv_t<T>;
   if (is_own(bytes_of(&object))) return;
@@ -160,8 +160,8 @@ template <class T> void decided_by(T &object, char const *name, char const *plac
   }
 }
 
-// A container's number of elements, and an object of which no part is known, may have got the same value as before: no
-// byte shows that.
+// Containers, whose number of elements may change. Like an object without known parts, they may have been assigned
+// their former value, which a comparison of bytes misses.
 template <class T>
 concept Counted = requires(T &object) { object.clear(), object.size(), object.begin(); } && !has_value_of_its_own<T>();
 template <class T> void note_changed_object(T &object, char const *name, char const *place) noexcept {
@@ -186,7 +186,7 @@ template <class T> void write_object(T &object, char const *name, char const *pl
   }
 }
 
-// Of a class that this source does not know yet, or never, only where it begins.
+// Size of T; 1, for its first byte, if T is incomplete in this source.
 template <class T> constexpr std::size_t size_here() noexcept {
   if constexpr (requires { sizeof(T); })
     return sizeof(T);
@@ -196,28 +196,28 @@ template <class T> constexpr std::size_t size_here() noexcept {
 
 } // namespace detail
 
-// A reference to an object of static storage duration: what is read of it later is called by its name.
+// A reference to an object of static storage duration: diagnostics of later reads use its name.
 template <class T> constexpr T &symreal_state(T &object, char const *name, char const *place) noexcept {
   if (!__builtin_is_constant_evaluated() && detail::recording)
     detail::note_static(detail::bytes_of(&object), detail::size_here<T>(), detail::Scope::any, name, place);
   return object;
 }
 
-// The same for one that is declared in a function: nobody else can read what is left in it.
+// As above, for an object declared in a function: other functions cannot read its final value.
 template <class T> constexpr T &symreal_local_state(T &object, char const *name, char const *place) noexcept {
   if (!__builtin_is_constant_evaluated() && detail::recording)
     detail::note_static(detail::bytes_of(&object), detail::size_here<T>(), detail::Scope::function, name, place);
   return object;
 }
 
-// The same for one that the function writes before it reads it, on every path.
+// As above, for an object that the function writes before it reads it, on every path.
 template <class T> constexpr T &symreal_scratch_state(T &object, char const *name, char const *place) noexcept {
   if (!__builtin_is_constant_evaluated() && detail::recording)
     detail::note_static(detail::bytes_of(&object), detail::size_here<T>(), detail::Scope::scratch, name, place);
   return object;
 }
 
-// A local of the function around a block kernel. A scalar among them was looked at by the rewriter: it is read.
+// A local of the function around a block kernel. A scalar local is read: the rewriter has checked that.
 template <class T> void symreal_around(T const &object, char const *name, char const *place) noexcept {
   if (!detail::recording) return;
   detail::note_local(detail::bytes_of(&object), sizeof object, detail::Scope::around, name, place);
@@ -231,7 +231,7 @@ template <class T> void symreal_parameter(T const &object, char const *name, cha
                        detail::Scope::parameter, name, place);
 }
 
-// The caller, or the code before a block kernel, chooses what this pointer leads to, or the pointers in this object.
+// Notes that the caller, or the code before a block kernel, chooses the target of this pointer, or of those in it.
 template <class T> void symreal_argument_leads(T const &object) noexcept {
   if (!detail::recording) return;
   if constexpr (std::is_pointer_v<T>)
@@ -240,7 +240,7 @@ template <class T> void symreal_argument_leads(T const &object) noexcept {
     detail::note_chosen(detail::bytes_of(&reinterpret_cast<char const volatile &>(object)), sizeof object);
 }
 
-// The same of an object of a library that the kernel has not made itself, and of a member that is a reference.
+// As above, for a library object that the kernel has not made itself, and for a reference member.
 template <class T> constexpr T &&symreal_leads(T &&object) noexcept {
   if (!__builtin_is_constant_evaluated() && detail::recording) {
     void const *const at = detail::bytes_of(&reinterpret_cast<char const volatile &>(object));
@@ -260,35 +260,35 @@ template <class T> constexpr T &&symreal_refers(void const volatile *holder, T &
   return static_cast<T &&>(object);
 }
 
-// No constant expression, so that what is noted within it is noted when the program runs.
+// Not a constant expression, so that notes within it are made when the program runs.
 template <class T> T &&symreal_at_run(T &&object) noexcept { return static_cast<T &&>(object); }
 
-// The value of the object is used. What holds no number, and what a macro makes of the same words elsewhere, passes.
+// Notes a use of the object's value. Objects without numbers, and other expansions of the same macro text, pass.
 template <class T> constexpr T &&symreal_read(T &&object, char const *name, char const *place) noexcept {
   if (!__builtin_is_constant_evaluated() && detail::recording) detail::read_object(object, name, place);
   return static_cast<T &&>(object);
 }
 
-// What the kernel does next depends on it.
+// Notes that the kernel's control flow depends on the object.
 template <class T> constexpr T &&symreal_decides(T &&object, char const *name, char const *place) noexcept {
   if (!__builtin_is_constant_evaluated() && detail::recording) detail::decided_by(object, name, place);
   return static_cast<T &&>(object);
 }
 
-// The object gets a new value.
+// Notes a write to the object.
 template <class T> constexpr T &&symreal_written(T &&object, char const *name, char const *place) noexcept {
   if (!__builtin_is_constant_evaluated() && detail::recording) detail::write_object(object, name, place);
   return static_cast<T &&>(object);
 }
 
-// Code that is not rewritten changes the object, as push_back does.
+// Notes a change by code that is not rewritten, such as push_back.
 template <class T> T &symreal_changed(T &object, char const *name, char const *place) noexcept {
   if (detail::recording && !detail::is_own(&object))
     if constexpr (Numbers::may_hold<T>) detail::note_changed_object(object, name, place);
   return object;
 }
 
-// A library writes text, a scalar or an object there. Numbers are looked at otherwise.
+// Notes that a library writes text, a scalar or an object to the target. Other checks cover numbers.
 template <class T> constexpr T &&symreal_target(T &&pointer, char const *name, char const *place) noexcept {
   if (__builtin_is_constant_evaluated() || !detail::recording) return static_cast<T &&>(pointer);
   auto *const target = &pointer[0];
@@ -314,7 +314,7 @@ template <class T, class Note> void end_range(T *end, char const *place, Note no
 
 } // namespace detail
 
-// The ends of a range that is handed to code that is not rewritten.
+// The ends of a range that code outside the rewriter reads.
 template <class T> T *symreal_range_begin(T *begin, char const *name, char const *place) noexcept {
   if (detail::recording)
     detail::begin_range(begin, place, [=](T &object) { detail::read_object(object, name, place); });
@@ -324,7 +324,7 @@ template <class T> T *symreal_range_end(T *end, char const *name, char const *pl
   if (detail::recording) detail::end_range(end, place, [=](T &object) { detail::read_object(object, name, place); });
   return end;
 }
-// The same of a range that such code writes without reading it.
+// As above, for a range that such code only writes.
 template <class T> T *symreal_fill_begin(T *begin, char const *name, char const *place) noexcept {
   if (detail::recording)
     detail::begin_range(begin, place, [=](T &object) { detail::write_object(object, name, place); });
@@ -349,8 +349,8 @@ template <class T> constexpr T &&symreal_bits(T &&object, char const *name, char
   return static_cast<T &&>(object);
 }
 
-// Of an object that shares its bytes with numbers, or that a pointer leads to: `count` bits from `first` on. Where no
-// count is given, all of the object itself.
+// Accesses to part of an object that shares its bytes with numbers, or of a pointer's target: `count` bits from `first`
+// on, or the whole object if `count` is 0.
 namespace detail {
 template <class T> void const *begin_of_part(T &object, std::size_t count) noexcept {
   if constexpr (std::is_pointer_v<T>)
@@ -380,7 +380,7 @@ template <class T> constexpr T &&symreal_part_read(T &&object, std::size_t first
                        place);
   return static_cast<T &&>(object);
 }
-// As numbers.
+// Notes a use of the part as a number.
 template <class T>
 constexpr T &&symreal_part_used(T &&object, std::size_t, std::size_t, char const *name, char const *place) noexcept {
   if (!__builtin_is_constant_evaluated() && detail::recording && detail::any_torn)
@@ -388,7 +388,7 @@ constexpr T &&symreal_part_used(T &&object, std::size_t, std::size_t, char const
   return static_cast<T &&>(object);
 }
 
-// Numbers that are looked at as something else: an array, or those that a pointer leads to.
+// Numbers accessed as another type: those of an array, or those behind a pointer.
 template <class T> constexpr T &&symreal_view(T &&object, char const *name, char const *place) noexcept {
   if constexpr (!std::is_pointer_v<std::remove_cvref_t<T>>)
     return symreal_bits(static_cast<T &&>(object), name, place);
@@ -399,7 +399,7 @@ template <class T> constexpr T &&symreal_view(T &&object, char const *name, char
   }
 }
 
-// memcpy, memmove, memset, memcmp, fread and fwrite: what they read and write, where the types tell.
+// memcpy, memmove, memset, memcmp, fread and fwrite: notes their reads and writes, as far as the types tell.
 class Bytes {
 public:
   constexpr Bytes(char const *name, char const *place) noexcept : name_(name), place_(place) {}
@@ -415,12 +415,12 @@ public:
     }
     return std::memmove(to, from, size);
   }
-  // To an object that has no numbers in it.
+  // Moves bytes into an object without numbers.
   template <class To, class From> void *symreal_into(To *to, From *from, std::size_t size) const noexcept {
     if (detail::recording) detail::check_bits(from, size, name_, place_);
     return symreal_move(to, from, size);
   }
-  // To one number, of which it may be a part.
+  // Moves bytes into a number or a part of one.
   template <class To, class From> void *symreal_move_number(To *to, From *from, std::size_t size) const noexcept {
     if (detail::recording) store(to, size, detail::Holds::number);
     if constexpr (std::is_same_v<To, RealNumber>) return symreal_move(to, from, size);
@@ -431,7 +431,7 @@ public:
     if constexpr (std::is_same_v<To, RealNumber>) return symreal_set(to, byte, size);
     return symreal_set_bytes(to, byte, size);
   }
-  // Of numbers, by pointers whose types do not say so.
+  // Moves or sets numbers through pointers of another type.
   void *symreal_move_bytes(void *to, void const *from, std::size_t size) const noexcept {
     if (detail::recording) {
       check_ends(from, size);
@@ -477,7 +477,7 @@ private:
     if (!is_whole || detail::any_torn)
       detail::note_bits_stored(detail::bytes_of(to), 0, 8 * size, holds, name_, place_);
   }
-  // A number of which a part is moved.
+  // Checks the numbers at either end that are moved only in part.
   void check_ends(void const volatile *from, std::size_t size) const noexcept {
     auto const *begin = static_cast<char const *>(detail::bytes_of(from));
     std::size_t const before = (0 - reinterpret_cast<std::uintptr_t>(begin)) % sizeof(RealNumber);

@@ -1,10 +1,10 @@
-// An integer that was computed from real numbers: the conversion of one, and what integer arithmetic makes of it.
+// SymbolicInt: an integer computed from real numbers, by a conversion or by arithmetic on such integers.
 //
 // It is recorded as a real number that has integer values, so an index into a table, or a fraction (x/h - i), keeps its
 // dependency; one of 64 bits as integer64.h says. It has the values that the host's compiler gives it: conversions, the
 // promotions and usual conversions of the language, unsigned types that wrap. Where a signed type of 32 bits overflows
 // the original is undefined, and the graph says so to verification. Where the program needs an integer of its own (a
-// loop's bound, an index into something that is no table) it converts to one, which is a decision.
+// loop bound, an index into an array without a table) it converts to one, which is a decision.
 #pragma once
 
 #include <symreal/integer64.h>
@@ -19,11 +19,11 @@ namespace detail {
 template <class T> using IfInteger =
     std::enable_if_t<std::is_integral_v<T> || (std::is_enum_v<T> && std::is_convertible_v<T, int>), int>;
 template <class T> using IfFloating = std::enable_if_t<std::is_floating_point_v<T>, int>;
-// A type that is not deduced from its argument.
+// A type in a non-deduced context.
 template <class T> struct Given {
   using Type = T;
 };
-// What the language makes of two integers before it computes.
+// Result types of the usual arithmetic conversions and of the integral promotion.
 template <class T, class U> using Common = decltype(T() + U());
 template <class T> using Promoted = decltype(+T());
 
@@ -53,7 +53,7 @@ template <class T> [[gnu::always_inline]] inline RealNumber within(RealNumber x)
 
 template <class T> using Held = std::conditional_t<is_wide<T>, Integer64, RealNumber>;
 
-// The conversion of a real number: towards 0, as gcc has it. Of a plain one it is the language's.
+// The conversion of a real number: the language's for a plain one; for a node towards 0, as gcc does it.
 template <class T> [[gnu::always_inline]] inline Held<T> converted(RealNumber x) noexcept {
   if constexpr (is_wide<T>) {
     if (!x.is_node()) return integer64(static_cast<std::uint64_t>(static_cast<T>(x.plain())));
@@ -113,14 +113,14 @@ public:
     result.held_ = held;
     return result;
   }
-  // Of a number that other code made of an integer of this type.
+  // The integer of a number into which other code converted an integer of this type.
   static SymbolicInt from_number(RealNumber integer) noexcept {
     if (detail::is_wide<T> && integer.is_node()) integer = detail::record(Op::within_double, integer, 0.0, 0.0);
     return from_held(from_small(integer, detail::largest_exact));
   }
 
   bool is_symbolic() const noexcept { return held_.is_node(); }
-  // As a real number: no decision.
+  // The integer as a real number: no decision.
   [[gnu::always_inline]] RealNumber number() const noexcept {
     if constexpr (detail::is_wide<T>)
       return detail::real_of<T>(held_);
@@ -129,7 +129,7 @@ public:
   }
   [[gnu::always_inline]] operator RealNumber() const noexcept { return number(); }
   detail::Held<T> held() const noexcept { return held_; }
-  // Of one that is not symbolic.
+  // The plain value. Requires !is_symbolic().
   T plain() const noexcept {
     if constexpr (detail::is_wide<T>)
       return static_cast<T>(held_.plain);

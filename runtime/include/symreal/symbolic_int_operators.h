@@ -9,8 +9,8 @@ namespace symreal {
 
 namespace detail {
 
-// In the type C, of operands that are not both plain. Sums of 32 bits are exact as real numbers; an unsigned product
-// need not be, a signed one is where it stays within its type. -0 is no integer.
+// Arithmetic in type C, with at least one symbolic operand. 32-bit sums are exact as real numbers; so is a signed
+// product within its type, but not every unsigned product. A zero result must not be -0.
 template <class C> [[gnu::always_inline]] inline RealNumber sum(RealNumber x, RealNumber y) noexcept {
   return std::is_signed_v<C> ? within<C>(x + y) : wrapped<C>(x + y);
 }
@@ -191,7 +191,7 @@ inline SymbolicInt<long> lrint(RealNumber x) noexcept { return SymbolicInt<long>
 inline SymbolicInt<long long> llrint(RealNumber x) noexcept { return SymbolicInt<long long>(rint(x)); }
 
 namespace detail {
-// One of two: where the type is unsigned the lesser of it and a small constant is as small.
+// The lesser of two integers. An unsigned one is bounded by a small constant operand.
 template <class T>
 [[gnu::always_inline]] inline SymbolicInt<T> lesser(SymbolicBool second, SymbolicInt<T> x, SymbolicInt<T> y) noexcept {
   if constexpr (is_wide<T> && std::is_unsigned_v<T>)
@@ -203,7 +203,7 @@ template <class T>
 }
 } // namespace detail
 
-// As for real numbers, the template of <algorithm>: (y < x) ? y : x.
+// As for real numbers, these compute as the templates of <algorithm>: (y < x) ? y : x.
 #define SYMREAL_EXTREME(name, chosen)                                                                                  \
   template <class T, detail::IfInteger<T> = 0> SymbolicInt<T> name(SymbolicInt<T> x, SymbolicInt<T> y) noexcept {      \
     return chosen;                                                                                                     \

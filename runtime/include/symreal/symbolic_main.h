@@ -1,5 +1,5 @@
-// For those who write a symbolic main by hand: annotations as plain calls. Without -DMBD_SYMBOLIC the same program is
-// the numeric one.
+// Annotations as plain calls, for a hand-written symbolic main. Without -DMBD_SYMBOLIC the same program is the numeric
+// one.
 //
 //   REAL q = create_runtime_const("q", 0.5);
 //   output("y", SIN(q) * 10.0);
@@ -24,7 +24,7 @@ inline REAL create_runtime_const(char const *name, double value, SYMREAL_CALLER)
   ::symreal::symreal_annotate(::symreal::Kind::input, name, place, static_cast<REAL &&>(number));
   return number;
 }
-// Without a value the program cannot decide on, print or convert what depends on this input.
+// An input without a value: the program cannot decide on, print or convert values that depend on it.
 inline REAL create_runtime_const(char const *name, SYMREAL_CALLER) {
   return create_runtime_const(name, ::symreal::missing_value(), place);
 }
@@ -33,14 +33,14 @@ inline REAL create_parameter(char const *name, double value, SYMREAL_CALLER) {
   ::symreal::symreal_annotate(::symreal::Kind::parameter, name, place, static_cast<REAL &&>(number));
   return number;
 }
-// Numbers, arrays, std::array, std::vector, Eigen objects: in place.
+// Annotates numbers, arrays, std::array, std::vector and Eigen objects in place.
 template <class T> void input(char const *name, T &object, SYMREAL_CALLER) {
   ::symreal::symreal_annotate(::symreal::Kind::input, name, place, object);
 }
 template <class T> void parameter(char const *name, T &object, SYMREAL_CALLER) {
   ::symreal::symreal_annotate(::symreal::Kind::parameter, name, place, object);
 }
-// Structures of numbers as well: the rewriter tells where theirs lie.
+// Annotates structures of numbers, whose layout the rewriter supplies.
 inline void input(char const *name, ::symreal::LaidOut &&object, SYMREAL_CALLER) {
   object.annotate(::symreal::Kind::input, name, place);
 }
@@ -53,7 +53,7 @@ inline void output(char const *name, ::symreal::LaidOut &&object, SYMREAL_CALLER
 template <class T> void output(char const *name, T &&object, SYMREAL_CALLER) {
   ::symreal::symreal_annotate(::symreal::Kind::output, name, place, static_cast<T &&>(object));
 }
-// Further outputs: the derivatives of outputs by inputs, as in differentiate("jacobian(y, [q, qd])").
+// Adds derivatives of outputs by inputs as further outputs: differentiate("jacobian(y, [q, qd])").
 inline void differentiate(char const *derivative, SYMREAL_CALLER) {
   ::symreal::symreal_differentiate(derivative, place);
 }

@@ -20,22 +20,22 @@ namespace symreal {
 namespace detail {
 
 extern __thread bool recording; // as in state.h
-// Whether the kernel has made text of a symbolic value where it could be read back.
+// True if the kernel has made text of a symbolic value that it could read back.
 extern __thread bool has_text;
 
-// The number whose carried value was last taken as text, and the stack where that was; none: 0.
+// The number whose carried value was last taken as text, 0 if none, and the stack address of that use.
 struct Shown {
   std::uint64_t number = 0;
   std::uintptr_t frame = 0;
 };
 extern __thread Shown shown;
 
-// Text was made. `place`: its length is used there, or null.
+// Notes that text was made. `used_at`: the place that uses its length, or null.
 void made_text(char const *text, std::size_t size, Shown value, char const *used_at) noexcept;
 void made_file(std::FILE *file, Shown value) noexcept;
 void made_length(Shown value, char const *used_at) noexcept;
 
-// What a list of arguments prints that has a symbolic value among its numbers, with the value that it carries.
+// The text that a va_list prints with the carried values of its numbers, and the symbolic value among them.
 class ListText {
 public:
   ListText(char const *format, std::va_list list) {
@@ -59,10 +59,10 @@ private:
   std::string text_;
   Shown value_;
 };
-// The value that the text, or a part of it, is of, if any.
+// The symbolic value that the text, or a part of it, shows, if any.
 Shown value_in(char const *text, std::size_t size) noexcept;
 
-// Text of x, if that is symbolic, went into a string, or a stream.
+// Notes that text of x, if symbolic, went into a string or a stream.
 void made_string(std::string_view text, RealNumber x) noexcept;
 void made_stream(std::ios const &stream, std::string_view text, RealNumber x) noexcept;
 
@@ -114,7 +114,7 @@ template <class T> void look_at(T &object, char const *name, char const *place) 
 } // namespace detail
 
 // Something is read that may hold text. Without a name: characters of it may be read later.
-// A string that nobody else owns is handed on, lest it end before the loop that runs over it.
+// A temporary string is returned by value, so that it outlives the loop that runs over it.
 template <class T> constexpr std::conditional_t<detail::is_string<T>, T, T &&>
 symreal_text(T &&object, char const *name, char const *place) {
   if (!__builtin_is_constant_evaluated() && detail::recording && detail::has_text) detail::look_at(object, name, place);
@@ -135,7 +135,7 @@ public:
   Shows(Shows const &) = delete;
   Shows &operator=(Shows const &) = delete;
 
-  // Whether what was shown before are arguments of a call further out.
+  // True if the values shown before are arguments of an enclosing call.
   bool is_outer() const noexcept { return before_.frame > reinterpret_cast<std::uintptr_t>(this); }
   detail::Shown before() const noexcept { return before_; }
 
@@ -143,7 +143,7 @@ private:
   detail::Shown before_;
 };
 
-// In the place of a function that makes text or moves it.
+// Replacements for functions that make or move text.
 class Format {
 public:
   Format(bool is_used, char const *place, bool first) noexcept : place_(is_used ? place : nullptr), shows_(first) {}
@@ -263,13 +263,13 @@ public:
 #endif
 
 private:
-  // Of the arguments: a number that was taken as text, or text of one.
+  // The symbolic value among the arguments: a number taken as text, or text of one.
   template <class... T> static detail::Shown value(T... values) noexcept {
     detail::Shown found = detail::shown;
     if (detail::recording && detail::has_text) ((found = found.number ? found : detail::value_of(values)), ...);
     return found;
   }
-  // The arguments were those of another call further out.
+  // The value shown before, if the arguments belong to an enclosing call.
   detail::Shown listed() const noexcept { return shows_.is_outer() ? shows_.before() : detail::Shown{}; }
 
   int made(char *to, int length, detail::Shown value) const noexcept {
@@ -299,7 +299,7 @@ private:
     return written(list.value(), std::fwrite(text.data(), 1, text.size(), file) == text.size() ? list.length() : -1);
   }
 
-  // What goes to a file: it may be read back by other means.
+  // True for text that goes to a file while recording: it may be read back by other means.
   static bool is_file(std::FILE *file) noexcept { return detail::recording && file != stdout && file != stderr; }
   template <class... T> static detail::Shown said(detail::Shown value, char const *format, T... values) {
     if (!detail::recording || !value.number) return value;
@@ -320,7 +320,7 @@ private:
     detail::made_string(text.c_str(), RealNumber::from_bits(listed().number));
   }
 
-  char const *place_; // where the length is used
+  char const *place_; // place that uses the length
   Shows shows_;
 };
 

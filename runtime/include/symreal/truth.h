@@ -8,7 +8,7 @@
 
 namespace symreal {
 
-// What a condition says, without deciding on it.
+// The truth value of a condition, without a decision.
 [[gnu::always_inline]] inline SymbolicBool symreal_truth(SymbolicBool condition) noexcept { return condition; }
 [[gnu::always_inline]] inline SymbolicBool symreal_truth(RealNumber x) noexcept { return x != RealNumber(0.0); }
 template <class T, class = std::enable_if_t<std::is_arithmetic_v<T> || std::is_pointer_v<T>>>
@@ -40,7 +40,7 @@ template <class T> inline constexpr bool is_number_or_truth =
     detail::is_symbolic_int<T>;
 
 namespace detail {
-// One of the two is a truth value, and the other is that, or an ordinary number, or a symbolic integer.
+// True if one type is a symbolic truth value and the other is one too, an ordinary number or a symbolic integer.
 template <class A, class B> inline constexpr bool counts =
     (std::is_same_v<A, SymbolicBool> && (is_number_or_truth<B>)) ||
     (is_number_or_truth<A> && std::is_same_v<B, SymbolicBool>);
@@ -71,18 +71,18 @@ template <class A, class = std::enable_if_t<std::is_same_v<A, SymbolicBool>>>
   return -SymbolicInt<int>(a);
 }
 
-// Whether two truth values are the same.
+// Equality of two truth values.
 [[gnu::always_inline]] inline SymbolicBool operator!=(SymbolicBool x, SymbolicBool y) noexcept {
   return (x & (!y)) | ((!x) & y);
 }
 [[gnu::always_inline]] inline SymbolicBool operator==(SymbolicBool x, SymbolicBool y) noexcept { return !(x != y); }
-// As integers, 0 or 1; both as numbers and as plain truth values they would be compared as well.
+// Compares truth values as the integers 0 and 1. Without these overloads a comparison would be ambiguous.
 [[gnu::always_inline]] inline SymbolicBool operator<(SymbolicBool x, SymbolicBool y) noexcept { return (!x) & y; }
 [[gnu::always_inline]] inline SymbolicBool operator>(SymbolicBool x, SymbolicBool y) noexcept { return x & (!y); }
 [[gnu::always_inline]] inline SymbolicBool operator<=(SymbolicBool x, SymbolicBool y) noexcept { return (!x) | y; }
 [[gnu::always_inline]] inline SymbolicBool operator>=(SymbolicBool x, SymbolicBool y) noexcept { return x | (!y); }
 
-// With an ordinary truth value.
+// Overloads for an ordinary bool operand.
 #define SYMREAL_WITH_BOOL(op)                                                                                          \
   template <class T, class = std::enable_if_t<std::is_same_v<T, bool>>>                                                \
   [[gnu::always_inline]] inline SymbolicBool operator op(T x, SymbolicBool y) noexcept {                               \

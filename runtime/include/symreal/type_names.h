@@ -14,7 +14,7 @@ namespace detail {
 struct TypeName {
   char const *ours, *original;
 };
-// As compilers print them; a name that another one begins with stands behind that.
+// Names as compilers print them; a name that is a prefix of another follows it.
 inline constexpr TypeName type_names[] = {
     {"; symreal::SymrealReal = symreal::types::RealNumber", ""},
     {"symreal::SymrealReal = symreal::types::RealNumber; ", ""},
@@ -27,7 +27,7 @@ inline constexpr TypeName type_names[] = {
 };
 inline constexpr char integer_name[] = "symreal::types::SymbolicInt<"; // int>
 
-// How long `name` is, if the text begins with it.
+// Length of `name` if the text begins with it, else 0.
 constexpr std::size_t beginning(char const *text, char const *name) {
   std::size_t length = 0;
   for (; name[length] != '\0'; ++length)
@@ -35,7 +35,7 @@ constexpr std::size_t beginning(char const *text, char const *name) {
   return length;
 }
 
-// Writes the text into `to`, which has room for it, and gives its length.
+// Writes the original's spelling of the text to `to`, which must have room for it; returns its length.
 constexpr std::size_t original_name(char const *text, char *to) {
   std::size_t length = 0;
   while (*text != '\0') {
@@ -73,7 +73,7 @@ template <std::size_t size> struct SymrealSignature {
     for (std::size_t k = symreal_length; k < size; ++k) symreal_letters[k] = '\0';
   }
 };
-// An array of its length, as the original's is.
+// The text in an array of its exact length, as in the original.
 template <SymrealSignature signature> struct SymrealNamed {
   char symreal_letters[signature.symreal_length + 1] = {};
   constexpr SymrealNamed() {
@@ -82,8 +82,8 @@ template <SymrealSignature signature> struct SymrealNamed {
 };
 template <SymrealSignature signature> inline constexpr SymrealNamed<signature> symreal_signature;
 
-// A type, which may be asked for its name, and one that is, at `place`. The compiler does not see through the function:
-// it would compute with the name that it knows.
+// A type whose name may be read at `place`. detail::named() is opaque to the compiler, which would otherwise fold the
+// name that it knows.
 constexpr std::type_info const &symreal_named(std::type_info const &type, char const *place) noexcept {
   return __builtin_is_constant_evaluated() ? type : detail::named(type, place);
 }

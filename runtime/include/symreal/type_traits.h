@@ -1,4 +1,4 @@
-// What code finds that asks about types: the answers for REAL are those for double, and a comparison is a bool.
+// Type traits of the symbolic types: a REAL answers as double, a comparison as bool.
 #pragma once
 
 #include <symreal/real_number.h>
@@ -27,7 +27,7 @@ template <> struct PlainType<SymbolicBool &&> {
   using type = bool &&;
 };
 } // namespace detail
-// Of an expression: the type that it has in the original.
+// The type that an expression has in the original.
 template <class T> using symreal_plain_type = typename detail::PlainType<T>::type;
 // An expression of that type, for an operand that is not evaluated.
 template <class T> T symreal_of_type() noexcept;

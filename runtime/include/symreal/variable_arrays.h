@@ -1,5 +1,5 @@
-// C's arrays of variable extents, where more than the first is variable: gcc has them in C++, but no lambda can name
-// one, and decisions are lambdas. So this stands for a pointer to their rows.
+// C's arrays with more than one variable extent: gcc supports them in C++, but a lambda cannot capture one, and
+// decisions are lambdas. So this class replaces a pointer to their rows.
 #pragma once
 
 #include <cstddef>
@@ -58,7 +58,7 @@ public:
     return rows -= count;
   }
 
-  // For a function that takes such an array, and memset and its like.
+  // Conversions for functions that take such an array, and for memset and similar functions.
   constexpr operator void const *() const noexcept { return first_; }
   constexpr operator void *() const noexcept { return const_cast<void *>(static_cast<void const *>(first_)); }
   template <class Other> explicit constexpr operator Other *() const noexcept { return (Other *)(first_); }
