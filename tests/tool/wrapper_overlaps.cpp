@@ -1,100 +1,87 @@
-// Containers, matrices, views and members of classes that are one object, or lie in one place.
+// Containers, views and members of classes that are one object, or lie in one place.
 // RUN: rm -rf %t && mkdir %t && cd %t
-// DEFINE: %{kernel} =
-// DEFINE: %{flags} = -std=c++20 -I/usr/include/eigen3 -D%{kernel}
-// DEFINE: %{c} = %cxx %{flags} -Wall -Wextra -Wno-unknown-pragmas
-// DEFINE: %{try} = cd %t && %symreal generate %s -o k.c --wrapper -- %{flags} && %cc -c k.c && %{c} -c k_wrapper.cpp && %{c} k_wrapper.o k.o -o swapped && %{c} %s -o original && ./original > expected && ./swapped | diff - expected && %symreal verify %s k.c --samples=20 --min-samples=5 -- %{flags} 2>&1 | FileCheck %s
-// CHECK: the wrapper was tried as well
-// REDEFINE: %{kernel} = VECTORS
-// RUN: %{try}
-// REDEFINE: %{kernel} = MATRICES
-// RUN: %{try}
-// REDEFINE: %{kernel} = VIEWS
-// RUN: %{try}
-// REDEFINE: %{kernel} = MEMBER
-// RUN: %{try}
-// REDEFINE: %{kernel} = NESTED
-// RUN: %{try}
+// DEFINE: %{c} = %cxx -std=c++20 -Wall -Wextra -Wno-unknown-pragmas
+// RUN: cd %t && %symreal generate %s -o ./ --wrapper -- -std=c++20
+// RUN: cd %t && %symreal verify %s vectors.c views.c step.c nested.c --samples=20 --min-samples=5 -- -std=c++20 2>&1 | FileCheck %s
+// CHECK: kernel vectors, mode finite
+// CHECK-NEXT: the wrapper was tried as well
+// CHECK: kernel views, mode finite
+// CHECK-NEXT: the wrapper was tried as well
+// CHECK: kernel step, mode finite
+// CHECK-NEXT: the wrapper was tried as well
+// CHECK: kernel nested, mode finite
+// CHECK-NEXT: the wrapper was tried as well
+// RUN: cd %t && %{c} %s -o original && ./original > expected
+// DEFINE: %{name} =
+// DEFINE: %{swap} = cd %t && %cc -c %{name}.c && %{c} %{name}_wrapper.cpp %{name}.o -o swapped && ./swapped | diff expected -
+// REDEFINE: %{name} = vectors
+// RUN: %{swap}
+// REDEFINE: %{name} = views
+// RUN: %{swap}
+// REDEFINE: %{name} = step
+// RUN: %{swap}
+// REDEFINE: %{name} = nested
+// RUN: %{swap}
 #include <cstdio>
+#include <span>
 #include <vector>
 
-#if defined(VECTORS)
 #pragma symreal function input(x) output(y)
-static void kern(std::vector<double> const &x, std::vector<double> &y) {
+static void vectors(std::vector<double> const &x, std::vector<double> &y) {
   y[0] = x[1] + 1;
   y[1] = x[0] * 2;
 }
-static double calls() {
+static double one_vector() {
   std::vector<double> a = {1, 2}, b = {3, 4};
-  kern(a, b);
-  kern(b, b);
+  vectors(a, b);
+  vectors(b, b);
   return b[0] + 10 * b[1];
 }
 
-#elif defined(MATRICES)
-#include <Eigen/Core>
-#pragma symreal function input(m, x) output(m)
-static void kern(Eigen::Ref<Eigen::MatrixXd> m, Eigen::VectorXd const &x) {
-  m(0, 0) = x[1];
-  m(0, 1) = x[0] + x[1] + m(1, 0);
-}
-static double calls() {
-  Eigen::MatrixXd m(2, 2);
-  m << 1, 2, 3, 4;
-  Eigen::VectorXd x(2);
-  x << 5, 6;
-  kern(m, x);
-  kern(m.block(0, 0, 2, 2), x);
-  return m.sum();
-}
-
-#elif defined(VIEWS)
-#include <span>
 #pragma symreal function input(x[0:2]) output(y[0:2])
-static void kern(std::span<double const> x, std::span<double> y) {
+static void views(std::span<double const> x, std::span<double> y) {
   y[0] = x[1] + 1;
   y[1] = x[0] * 2;
 }
-static double calls() {
+static double views_of_one() {
   double a[4] = {1, 2, 3, 4};
   double b[2] = {0, 0};
-  kern({a, 2}, {b, 2});
-  kern({a, 2}, {a, 2});
-  kern({a + 1, 2}, {a, 2});
+  views({a, 2}, {b, 2});
+  views({a, 2}, {a, 2});
+  views({a + 1, 2}, {a, 2});
   return a[0] + 10 * a[1] + 100 * a[2] + b[0];
 }
 
-#elif defined(MEMBER)
 struct Filter {
   double state[2] = {1, 2};
-  void reset() { kern(state, 0.5); }
+  void reset() { step(state, 0.5); }
 #pragma symreal function input(x[0:2], gain, state) output(state)
-  void kern(double const *x, double gain) {
+  void step(double const *x, double gain) {
     state[0] = gain * x[1] + state[0];
     state[1] = x[0] - x[1];
   }
 };
-static double calls() {
+static double member() {
   Filter filter;
   double const x[2] = {4, 5};
-  filter.kern(x, 2);
+  filter.step(x, 2);
   filter.reset();
   return filter.state[0] + 10 * filter.state[1];
 }
 
-#else
 using Rows = std::vector<std::vector<double>>;
 #pragma symreal function input(x) output(y)
-static void kern(Rows const &x, Rows &y) {
+static void nested(Rows const &x, Rows &y) {
   for (int k = 0; k < 2; ++k)
     for (int i = 0; i < 2; ++i) y[k][i] = x[i][k];
 }
-static double calls() {
+static double one_nested() {
   Rows a = {{1, 2}, {3, 4}}, b = a;
-  kern(a, b);
-  kern(b, b);
+  nested(a, b);
+  nested(b, b);
   return b[0][1] + 10 * b[1][0];
 }
-#endif
 
-int main() { std::printf("%.17g\n", calls()); }
+int main() {
+  std::printf("%.17g %.17g %.17g %.17g\n", one_vector(), views_of_one(), member(), one_nested());
+}

@@ -23,13 +23,6 @@ std::vector<double> series(double x) {
 }
 
 #pragma symreal function input(x) output(return)
-Eigen::Matrix2d matrix(double x) {
-  Eigen::Matrix2d result;
-  result << x, 2 * x, 3 * x, x * x;
-  return result;
-}
-
-#pragma symreal function input(x) output(return)
 Pose pose(double x) {
   Pose result;
   result.at[0] = x;
@@ -51,13 +44,5 @@ Hidden hidden(double x) {
 #pragma symreal function input(x) output(return)
 std::pair<double, double> both(double x) {
   std::pair<double, double> result(x + 1, x - 1);
-  return result;
-}
-
-#pragma symreal function input(x) output(return)
-Judged judged(double x) {
-  Judged result;
-  result.value = 2 * x;
-  result.status = 1;
   return result;
 }

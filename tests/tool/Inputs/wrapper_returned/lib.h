@@ -1,5 +1,4 @@
 #pragma once
-#include <Eigen/Core>
 #include <array>
 #include <complex>
 #include <utility>
@@ -21,16 +20,10 @@ public:
 private:
   double a_, b_;
 };
-struct Judged {
-  double value;
-  int status;
-};
 
 std::complex<double> root(double x);
 std::array<double, 3> powers(double x);
 std::vector<double> series(double x);
-Eigen::Matrix2d matrix(double x);
 Pose pose(double x);
 Hidden hidden(double x);
 std::pair<double, double> both(double x);
-Judged judged(double x);

@@ -4,9 +4,7 @@ int main() {
   root(1.5);
   powers(1.5);
   series(1.5);
-  matrix(1.5);
   pose(1.5);
   hidden(1.5);
   both(1.5);
-  judged(1.5);
 }
