@@ -1,14 +1,11 @@
 /* State that is read or written by assembly, atomic operations, checked arithmetic, functions of the C library, and by
-   copies of unions and of the library's structures.
-   RUN: rm -f %t.c
-   RUN: not %symreal generate %s -o %t.c 2>&1 | FileCheck %s --implicit-check-not="error:"
-   RUN: not ls %t.c
-   RUN: not %symreal generate %s -o %t.c -- -DWRITES 2>&1 | FileCheck %s --check-prefix=WRITTEN --implicit-check-not="error:"
-   RUN: not ls %t.c
-   RUN: %symreal generate %s -o %t.c -- -DNAMED && %symreal verify %s %t.c --samples=50 -- -DNAMED
-   RUN: %symreal generate %s -o %t.c -- -DWRITES -DNAMED && %symreal verify %s %t.c --samples=50 -- -DWRITES -DNAMED
-   RUN: %symreal generate %s -o %t.c -- -DLOCAL && %symreal verify %s %t.c --samples=50 -- -DLOCAL
-   RUN: %symreal generate %s -o %t.c -- -DWRITES -DLOCAL && %symreal verify %s %t.c --samples=50 -- -DWRITES -DLOCAL
+   copies of unions and of the library's structures. What clauses name, and what is local, may be read and written so.
+   RUN: rm -rf %t && mkdir %t
+   RUN: not %symreal generate %s -o %t/ -- -DREADS 2>&1 | FileCheck %s --implicit-check-not="error:"
+   RUN: not %symreal generate %s -o %t/ -- -DWRITES 2>&1 | FileCheck %s --check-prefix=WRITTEN --implicit-check-not="error:"
+   RUN: ls %t | count 0
+   RUN: cd %t && %symreal generate %s -o ./
+   RUN: cd %t && %symreal verify %s reads.c writes.c local_reads.c local_writes.c --samples=50
 */
 #define _GNU_SOURCE
 #include <stdio.h>
@@ -18,8 +15,6 @@
 
 union word { int i; float f; };
 
-#ifndef WRITES
-#ifndef LOCAL
 // CHECK-DAG: error: kernel 'reads' reads 'order' (2), which is neither input nor parameter [SYM017]
 static int order = 2;
 // CHECK-DAG: error: kernel 'reads' reads 'moved' (1), which is neither input nor parameter [SYM017]
@@ -32,21 +27,14 @@ static div_t shares = {7, 1};
 static union word word = {4};
 
 void change(int to) { order = moved = begun.tm_sec = shares.quot = word.i = to; }
-#endif
 
-#ifdef NAMED
-#pragma symreal function input(x) constant(order, moved, begun, shares, word) output(return)
-#else
+#ifdef READS
 #pragma symreal function input(x) output(return)
+#else
+#pragma symreal function input(x) constant(order, moved, begun, shares, word) output(return)
 #endif
 double reads(double x)
 {
-#ifdef LOCAL
-    int order = 2, moved = 1;
-    struct tm begun = {0};
-    div_t shares = {7, 1};
-    union word word = {4};
-#endif
     int found = moved;
     union word mine;
     struct tm now = begun;
@@ -57,10 +45,21 @@ double reads(double x)
 #endif
     return x * (found * __atomic_load_n(&order, __ATOMIC_RELAXED) + now.tm_sec + share.quot + mine.i);
 }
-static double call(double x) { return reads(x); }
 
-#else
-#ifndef LOCAL
+#pragma symreal function input(x) output(return)
+double local_reads(double x)
+{
+    int order = 2, moved = 1, found = moved;
+    struct tm begun = {0}, now = begun;
+    div_t shares = {7, 1}, share = shares;
+    union word word = {4}, mine;
+    mine = word;
+#ifdef __x86_64__
+    __asm__("movl %1, %0" : "=r"(found) : "m"(moved));
+#endif
+    return x * (found * __atomic_load_n(&order, __ATOMIC_RELAXED) + now.tm_sec + share.quot + mine.i);
+}
+
 static int summed = 0, stored = 3, last = 7;
 static char copied[8] = "ab", joined[8] = "ab", *rest;
 static struct tm ended;
@@ -68,22 +67,14 @@ static div_t halves = {3, 1};
 static union word other = {5};
 
 int found(void) { return summed + stored + last + copied[0] + joined[0] + *rest + ended.tm_sec + halves.quot + other.i; }
-#endif
 
-#ifdef NAMED
-#pragma symreal function input(x) scratch(summed, stored, last, copied, joined, rest, ended, halves, other) output(return)
-#else
+#ifdef WRITES
 #pragma symreal function input(x) output(return)
+#else
+#pragma symreal function input(x) scratch(summed, stored, last, copied, joined, rest, ended, halves, other) output(return)
 #endif
 double writes(double x)
 {
-#ifdef LOCAL
-    int summed = 0, stored = 3, last = 7;
-    char copied[8] = "ab", joined[8] = "ab", *rest;
-    struct tm ended;
-    div_t halves = {3, 1};
-    union word other = {5};
-#endif
     // WRITTEN-DAG: error: the kernel writes 'summed', which is not an output [SYM053]
     (void)__builtin_add_overflow(0, 0, &summed);
     // WRITTEN-DAG: error: the kernel writes 'stored', which is not an output [SYM053]
@@ -108,11 +99,33 @@ double writes(double x)
     other = (union word){5};
     return x;
 }
-static double call(double x) { return writes(x); }
+
+#pragma symreal function input(x) output(return)
+double local_writes(double x)
+{
+    int summed = 0, stored = 3, last = 7;
+    char copied[8] = "ab", joined[8] = "ab", *rest;
+    struct tm ended;
+    div_t halves = {3, 1};
+    union word other = {5};
+    (void)__builtin_add_overflow(0, 0, &summed);
+    __atomic_store_n(&stored, 3, __ATOMIC_RELAXED);
+#ifdef __x86_64__
+    __asm__("movl $7, %0" : "=m"(last));
+#else
+    last = 7;
 #endif
+    memccpy(copied, "ab", 0, 3);
+    mempcpy(joined, "ab", 3);
+    x += strtod("2", &rest);
+    ended = (struct tm){0};
+    halves = div(7, 2);
+    other = (union word){5};
+    return x;
+}
 
 int main(void)
 {
-    printf("%g\n", call(0.5));
+    printf("%g %g %g %g\n", reads(0.5), local_reads(0.5), writes(0.5), local_writes(0.5));
     return 0;
 }

@@ -30,20 +30,22 @@
    SAME: y{{\[0\]}} {{ *}}200 {{ *}}0 {{ *}}0{{$}}
    RUN: %symreal generate %s --reroll --fp=strict -o %t/strict.c
    RUN: grep "k < 19" %t/strict.c
-   RUN: %symreal verify %s %t/strict.c 2>&1 | FileCheck %s --check-prefix=STRICT
-   STRICT: mode strict: 1000 samples
+   RUN: %symreal verify %s %t/strict.c --samples=100 --min-samples=10 2>&1 | FileCheck %s --check-prefix=STRICT
+   STRICT: mode strict: 100 samples
 
    In C++, and in single precision.
    RUN: %symreal generate %s --reroll --lang=cpp -o %t/long.cpp
    RUN: grep "k < 19" %t/long.cpp
-   RUN: %symreal verify %s %t/long.cpp 2>&1 | FileCheck %s --check-prefix=SAME
+   RUN: %symreal verify %s %t/long.cpp --samples=100 --min-samples=10 2>&1 | FileCheck %s --check-prefix=CPP
+   CPP: mode finite: 100 samples, 100 within the premises
+   CPP: y{{\[0\]}} {{ *}}200 {{ *}}0 {{ *}}0{{$}}
    RUN: %symreal generate %s --reroll --real=float -o %t/float.c
    RUN: grep "k < 19" %t/float.c
-   RUN: %symreal verify %s %t/float.c
+   RUN: %symreal verify %s %t/float.c --samples=100 --min-samples=10
 
    A fault is found.
    RUN: sed 's/= values_5 + k % 5/= values_5 + k % 4/' %t/long.c > %t/wrong.c && cp %t/long.h %t/wrong.h
-   RUN: not %symreal verify %s %t/wrong.c 2>&1 | FileCheck %s --check-prefix=WRONG
+   RUN: not %symreal verify %s %t/wrong.c --samples=100 --min-samples=10 2>&1 | FileCheck %s --check-prefix=WRONG
    WRONG: error: {{.*}} differ from the original [SYM{{.*}}]
 */
 #include <stdio.h>

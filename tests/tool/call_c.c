@@ -3,12 +3,12 @@
    RUN: rm -rf %t && mkdir %t && cp %s %t/arm.c && cd %t
    DEFINE: %{call} =
    DEFINE: %{options} =
-   DEFINE: %{run} = cd %t && %symreal generate arm.c --kernel %{call} %{options} -o k.c -- -std=c99 2> %t.log && %symreal verify arm.c k.c --kernel %{call} -- -std=c99 2>> %t.log
+   DEFINE: %{run} = cd %t && %symreal generate arm.c --kernel %{call} %{options} -o k.c -- -std=c99 2> %t.log && %symreal verify arm.c k.c --samples=100 --min-samples=10 --kernel %{call} -- -std=c99 2>> %t.log
 
    REDEFINE: %{call} = 'torque(q[0:n]=0.3, qd[0:n]={1, 2}, parameter m=1.2, n=2) -> tau[0:n]'
    RUN: %{run} && FileCheck %s --check-prefix=ARRAYS < %t.log
    ARRAYS: kernel torque: 4 inputs, 1 parameters, 2 outputs
-   ARRAYS: kernel torque, mode finite: 1000 samples
+   ARRAYS: kernel torque, mode finite: 100 samples
    RUN: ls %t | FileCheck %s --check-prefix=FILES
    FILES: arm.c
    FILES-NEXT: k.c
@@ -19,29 +19,29 @@
    RUN: %{run} && FileCheck %s --check-prefix=STATIC < %t.log
    STATIC: remark: no values are given for frame[0:2][0:2]: 'inertia' is recorded at numbers between 0 and 1 [SYM019]
    STATIC: kernel inertia: 5 inputs, 0 parameters, 1 outputs
-   STATIC: kernel inertia, mode finite: 1000 samples
+   STATIC: kernel inertia, mode finite: 100 samples
 
    REDEFINE: %{call} = 'move(body->x=1, body->v[0:2]=-1..1, dt=0.1) -> body->x'
    RUN: %{run} && FileCheck %s --check-prefix=STRUCT < %t.log
    STRUCT: kernel move: 4 inputs, 0 parameters, 1 outputs
-   STRUCT: kernel move, mode finite: 1000 samples
+   STRUCT: kernel move, mode finite: 100 samples
 
    REDEFINE: %{call} = 'rows(a[0:3][0:2]=0.5, at=&first) -> y[0:3]'
    RUN: %{run} && FileCheck %s --check-prefix=ROWS < %t.log
    ROWS: kernel rows: 6 inputs, 0 parameters, 3 outputs
-   ROWS: kernel rows, mode finite: 1000 samples
+   ROWS: kernel rows, mode finite: 100 samples
 
    An argument has the name of the function.
    REDEFINE: %{call} = 'slope(slope=2) -> return'
    RUN: %{run} && FileCheck %s --check-prefix=HIDDEN < %t.log
    HIDDEN: kernel slope: 1 inputs, 0 parameters, 1 outputs
-   HIDDEN: kernel slope, mode finite: 1000 samples
+   HIDDEN: kernel slope, mode finite: 100 samples
 
    REDEFINE: %{call} = 'limit(x=3, mode=HARD) -> return'
    REDEFINE: %{options} = --decisions=guard
    RUN: %{run} && FileCheck %s --check-prefix=PATH < %t.log
    PATH: kernel limit: 1 inputs
-   PATH: kernel limit, mode finite: 1000 samples
+   PATH: kernel limit, mode finite: 100 samples
    RUN: grep -F 'x > 2' %t/k.h
 */
 #include <math.h>

@@ -2,17 +2,17 @@
 // complex numbers, what needs an expression.
 // DEFINE: %{call} =
 // DEFINE: %{flags} =
-// DEFINE: %{run} = %symreal generate %s --kernel %{call} -o %t.c %{flags} 2> %t.log && %symreal verify %s %t.c --samples 200 --kernel %{call} %{flags} 2>> %t.log
+// DEFINE: %{run} = %symreal generate %s --kernel %{call} -o %t.c %{flags} 2> %t.log && %symreal verify %s %t.c --samples=100 --min-samples=10 --kernel %{call} %{flags} 2>> %t.log
 
 // REDEFINE: %{call} = 'veh::Bicycle(2.7, 1.1).derivative(x[0:3]=0.5, u[0:2]) -> dx[0:3]'
 // RUN: %{run} && FileCheck %s --check-prefix=OBJECT < %t.log
 // OBJECT: kernel derivative: 5 inputs, 0 parameters, 3 outputs
-// OBJECT: kernel derivative, mode finite: 200 samples
+// OBJECT: kernel derivative, mode finite: 100 samples
 
 // REDEFINE: %{call} = 'veh::Bicycle::derivative(x[0:3]=0.5, u[0:2]=1, parameter wheelbase_, parameter offset_) -> dx[0:3]'
 // RUN: %{run} && FileCheck %s --check-prefix=DEFAULT < %t.log
 // DEFAULT: kernel derivative: 5 inputs, 2 parameters, 3 outputs
-// DEFAULT: kernel derivative, mode finite: 200 samples
+// DEFAULT: kernel derivative, mode finite: 100 samples
 
 // REDEFINE: %{call} = 'veh::make("small").derivative(x[0:3]=0.5, u[0:2]=1) -> dx[0:3]'
 // RUN: %{run} && FileCheck %s --check-prefix=MADE < %t.log
@@ -22,14 +22,14 @@
 // REDEFINE: %{call} = 'veh::mix(x[0:3]={1, 2, 3}, m[0:2][0:2]=-1..1, r=0.25, z=1, s.a=2, s.b=3) -> x[0:3], z, return'
 // RUN: %if all %{ %{run} && FileCheck %s --check-prefix=MIX < %t.log %}
 // MIX: kernel mix: 12 inputs, 0 parameters, 6 outputs
-// MIX: kernel mix, mode finite: 200 samples
+// MIX: kernel mix, mode finite: 100 samples
 // REDEFINE: %{flags} =
 
 // Members of the elements of an array.
 // REDEFINE: %{call} = 'veh::total(p[0:2].a, p[0:2].b={1, 2}) -> return'
 // RUN: %{run} && FileCheck %s --check-prefix=MEMBERS < %t.log
 // MEMBERS: kernel total: 4 inputs, 0 parameters, 1 outputs
-// MEMBERS: kernel total, mode finite: 200 samples
+// MEMBERS: kernel total, mode finite: 100 samples
 
 // REDEFINE: %{flags} = -- -DMATRICES -I/usr/include/eigen3
 // REDEFINE: %{call} = 'scale(v[0:3]=1) -> v[0:3]'
@@ -51,12 +51,11 @@
 // TYPES: kernel scale: 1 inputs, 0 parameters, 1 outputs
 #ifdef MATRICES // which take long to compile
 #include <Eigen/Dense>
-#endif
-#include <array>
-#include <cmath>
 #include <complex>
-#include <cstring>
 #include <vector>
+#endif
+#include <cmath>
+#include <cstring>
 
 namespace veh {
 class Bicycle {

@@ -1,13 +1,13 @@
 /* A value for a structure is one for all of its numbers.
    RUN: rm -rf %t && mkdir %t && cp %s %t/arm.c && cd %t
    DEFINE: %{call} =
-   DEFINE: %{run} = cd %t && %symreal generate arm.c --kernel %{call} -o k.c 2> %t.log && %symreal verify arm.c k.c --kernel %{call} 2>> %t.log
+   DEFINE: %{run} = cd %t && %symreal generate arm.c --kernel %{call} -o k.c 2> %t.log && %symreal verify arm.c k.c --samples=100 --min-samples=10 --kernel %{call} 2>> %t.log
 
    REDEFINE: %{call} = 'step(*body=0.5, dt=0.1) -> *body'
    RUN: %{run} && FileCheck %s --check-prefix=POINTER < %t.log
    POINTER: kernel step: 5 inputs, 0 parameters, 4 outputs
    POINTER: baked in {{ *}}body->joints = 0
-   POINTER: kernel step, mode finite: 1000 samples
+   POINTER: kernel step, mode finite: 100 samples
    POINTER: body{{.*}} 4 {{ *}}0 {{ *}}0
 
    REDEFINE: %{call} = 'energy(body=0.2..0.8) -> return'
