@@ -1,10 +1,10 @@
 // A section beyond a container, or of a length that only the run knows, is an error where the program reaches the annotation; no
 // advice to write there.
-// RUN: not %symreal generate %s --kernel vector -o %t.c -- -std=c++20 -DCASE=1 2>&1 | FileCheck %s --check-prefix=VECTOR --implicit-check-not='SYM053'
-// RUN: not %symreal generate %s --kernel local -o %t.c -- -std=c++20 -DCASE=2 2>&1 | FileCheck %s --check-prefix=LOCAL
-// RUN: not %symreal generate %s --kernel rows -o %t.c -- -std=c++20 -DCASE=3 2>&1 | FileCheck %s --check-prefix=ROWS
-// RUN: not %symreal generate %s --kernel others -o %t.c -- -std=c++20 -DCASE=4 2>&1 | FileCheck %s --check-prefix=OTHERS
-// RUN: not %symreal generate %s --kernel instance -o %t.c -- -std=c++20 -DCASE=5 2>&1 | FileCheck %s --check-prefix=INSTANCE
+// RUN: not %symreal generate %s --kernel vector -o %t.c --run-args=1 -- -std=c++20 2>&1 | FileCheck %s --check-prefix=VECTOR --implicit-check-not='SYM053'
+// RUN: not %symreal generate %s --kernel local -o %t.c --run-args=2 -- -std=c++20 2>&1 | FileCheck %s --check-prefix=LOCAL
+// RUN: not %symreal generate %s --kernel rows -o %t.c --run-args=3 -- -std=c++20 2>&1 | FileCheck %s --check-prefix=ROWS
+// RUN: not %symreal generate %s --kernel others -o %t.c --run-args=4 -- -std=c++20 2>&1 | FileCheck %s --check-prefix=OTHERS
+// RUN: not %symreal generate %s --kernel instance -o %t.c --run-args=5 -- -std=c++20 2>&1 | FileCheck %s --check-prefix=INSTANCE
 // RUN: not ls %t.c
 #include <cstdlib>
 #include <deque>
@@ -33,10 +33,10 @@ template <int n>
 #pragma symreal function input(x[0:3]) output(return)
 double instance(double (&x)[n]) { return x[0] * x[1]; }
 
-int main() {
+int main(int, char **arguments) {
   std::vector<double> v(3, 0.5), w(3);
   double out[2], x[2] = {1, 2};
-  switch (CASE) {
+  switch (std::atoi(arguments[1])) {
   case 1: vector(v, w); break;
   case 2: local(v.data(), std::atoi("5")); break;
   case 3: rows({{1, 2}, {3, 4}}); break;
