@@ -21,9 +21,9 @@
 // RUN: FileCheck %s --check-prefix=JSON < %t/json
 // JSON: "joins": 10,
 // JSON: "pieces": 20,
-// RUN: %symreal verify %s branches.c network.c sum_limited.c largest.c sort5.c > %t/verified 2>&1
+// RUN: %symreal verify %s branches.c network.c sum_limited.c largest.c sort5.c --samples=200 > %t/verified 2>&1
 // RUN: FileCheck %s --check-prefix=SAME < %t/verified
-// SAME: kernel branches, mode finite: 1000 samples and 60 around decisions, 1060 within the premises
+// SAME: kernel branches, mode finite: 200 samples and 60 around decisions, 260 within the premises
 // SAME-NEXT: every path is recorded: no sample is left to a guard
 // SAME-NEXT: decisions: 10 of 10 went both ways
 // SAME: y[0] 10 0 0{{$}}

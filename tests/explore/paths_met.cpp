@@ -27,7 +27,7 @@
 // Where each way is a path, no arm is left that no sample takes.
 // RUN: %symreal generate %s -o apart.c --decisions=explore --joins=off --paths-met met.csv 2>&1 | FileCheck %s --check-prefix=APART
 // RUN: FileCheck %s --check-prefix=STRAIGHT < apart.c
-// RUN: %symreal verify %s apart.c --paths-met met.csv 2>&1 | FileCheck %s --check-prefix=STEPS
+// RUN: %symreal verify %s apart.c --paths-met met.csv --samples=200 --min-samples=20 2>&1 | FileCheck %s --check-prefix=STEPS
 // APART: explored 2 paths, 2 selects between them; complete for the paths that samples take: see the guards
 // APART-NEXT: paths that 3 given samples take; 4 branches that none takes: a guard each
 // APART: guard 1 paths_met.cpp:{{[0-9]+}}:3: x[0] > 10 is false
@@ -42,12 +42,12 @@
 // STEPS: y[0] 3 0 0{{$}}
 
 // Verification needs the table, and tries its samples as well.
-// RUN: %symreal verify %s met.c --paths-met met.csv 2>&1 | FileCheck %s --check-prefix=VERIFIED
-// VERIFIED: kernel f, mode finite: 1003 samples
+// RUN: %symreal verify %s met.c --paths-met met.csv --samples=200 --min-samples=20 2>&1 | FileCheck %s --check-prefix=VERIFIED
+// VERIFIED: kernel f, mode finite: 203 samples
 // VERIFIED: refused by a guard: {{[1-9]}}
 // VERIFIED: y[0] 3 0 0{{$}}
 // RUN: sed 's/exp(/exp(1e-9 + /' met.c > wrong.c
-// RUN: not %symreal verify %s wrong.c --paths-met met.csv 2>&1 | FileCheck %s --check-prefix=WRONG
+// RUN: not %symreal verify %s wrong.c --paths-met met.csv --samples=200 --min-samples=20 2>&1 | FileCheck %s --check-prefix=WRONG
 // WRONG: outputs differ from the original [SYM091]
 // RUN: not %tool verify %s met.c 2>&1 | FileCheck %s --check-prefix=LACKS
 // LACKS: met.c:1:1: error: this file was generated with --paths-met: give verify the same table of samples [SYM003]

@@ -6,9 +6,9 @@
 // RUN: env XDG_CACHE_HOME=%t/cache %tool generate %t/model.c -o %t/out.c --stats --no-cache 2>&1 | FileCheck %s --check-prefix=ONE
 // RUN: env XDG_CACHE_HOME=%t/cache %tool cache | FileCheck %s --check-prefix=KEPT1
 // verify has the symbolic program, and builds the two others.
-// RUN: env XDG_CACHE_HOME=%t/cache %tool verify %t/model.c %t/out.c
+// RUN: env XDG_CACHE_HOME=%t/cache %tool verify %t/model.c %t/out.c --samples=20 --min-samples=5
 // RUN: env XDG_CACHE_HOME=%t/cache %tool cache | FileCheck %s --check-prefix=KEPT3
-// RUN: env XDG_CACHE_HOME=%t/cache %tool verify %t/model.c %t/out.c
+// RUN: env XDG_CACHE_HOME=%t/cache %tool verify %t/model.c %t/out.c --samples=20 --min-samples=5
 // RUN: env XDG_CACHE_HOME=%t/cache %tool cache | FileCheck %s --check-prefix=KEPT3
 // Whatever changes counts: a header, flags, a blank, which moves columns, and a header that comes to lie before another.
 // RUN: echo '#define GAIN 5' > %t/gain.h

@@ -1,7 +1,7 @@
 // How far the original and the generated code are from exact values: sums in another order, and a cancellation.
 // RUN: rm -rf %t && mkdir %t
 // RUN: %symreal generate %s -o %t/fast.c --fp=fast --effort=0 --kernel quadratic --decisions=select
-// RUN: %symreal verify %s %t/fast.c --exact 256 --tol 1e-6 --json > %t/whole.json 2> %t/told
+// RUN: %symreal verify %s %t/fast.c --exact 256 --tol 1e-6 --samples 200 --json > %t/whole.json 2> %t/told
 // RUN: FileCheck %s --check-prefix=FAST --input-file=%t/told
 // FAST: exact values, in 256 bits: {{[0-9]+}} samples{{$}}
 // FAST-NEXT: error of the original, at most the code, at most nearer on: the original, the code
@@ -12,25 +12,25 @@
 // RUN: python3 %S/Inputs/exact_errors.py %t/whole.json
 
 // Shards give the same figures, and a certificate has them.
-// RUN: %symreal verify %s %t/fast.c --exact 256 --tol 1e-6 --json --shard 1/2 > %t/1.json
-// RUN: %symreal verify %s %t/fast.c --exact 256 --tol 1e-6 --json --shard 2/2 > %t/2.json
+// RUN: %symreal verify %s %t/fast.c --exact 256 --tol 1e-6 --samples 200 --json --shard 1/2 > %t/1.json
+// RUN: %symreal verify %s %t/fast.c --exact 256 --tol 1e-6 --samples 200 --json --shard 2/2 > %t/2.json
 // RUN: %tool verify --merge %t/2.json %t/1.json --json > %t/joined.json 2> %t/joined.told
 // RUN: diff %t/told %t/joined.told
 // RUN: python3 -c "import json; a, b = (json.load(open(f'%t/{n}.json')) for n in ('whole', 'joined')); assert a['errors'] == b['errors'] and all(one in b['named'] for one in a['named']), (a, b)"
-// RUN: %symreal verify %s %t/fast.c --tol 1e-6 --json --shard 2/2 > %t/without.json
+// RUN: %symreal verify %s %t/fast.c --tol 1e-6 --samples 200 --json --shard 2/2 > %t/without.json
 // RUN: not %tool verify --merge %t/1.json %t/without.json 2>&1 | FileCheck %s --check-prefix=OTHER
 // OTHER: this file cannot be joined with those before it: it has other exact values [SYM109]
-// RUN: %symreal verify %s %t/fast.c --exact 100 --tol 1e-6 --certificate %t/c.json && grep '"bits": 100' %t/c.json
+// RUN: %symreal verify %s %t/fast.c --exact 100 --tol 1e-6 --samples 200 --certificate %t/c.json && grep '"bits": 100' %t/c.json
 // RUN: %symreal verify %s %t/fast.c --check %t/c.json 2>&1 | FileCheck %s --check-prefix=CHECK
 // CHECK: exact values, in 100 bits
 // CHECK: holds
 
 // In mode finite both are the same numbers. A decision that falls otherwise, and what is no operation on real numbers.
-// RUN: %symreal generate %s -o %t/finite.c --kernel quadratic --decisions=select && %symreal verify %s %t/finite.c --exact 256 2>&1 | FileCheck %s --check-prefix=FINITE
+// RUN: %symreal generate %s -o %t/finite.c --kernel quadratic --decisions=select && %symreal verify %s %t/finite.c --samples 200 --exact 256 2>&1 | FileCheck %s --check-prefix=FINITE
 // FINITE: root {{.*}} 0, 0{{$}}
-// RUN: %symreal generate %s -o %t/near.c --kernel near --decisions=select && %symreal verify %s %t/near.c --exact 256 2>&1 | FileCheck %s --check-prefix=NEAR
+// RUN: %symreal generate %s -o %t/near.c --kernel near --decisions=select && %symreal verify %s %t/near.c --samples 200 --exact 256 2>&1 | FileCheck %s --check-prefix=NEAR
 // NEAR: exact values, in 256 bits: {{[0-9]+}} samples; {{[0-9]+}} more, where a decision falls otherwise in them or a value is not finite
-// RUN: %symreal generate %s -o %t/bits.c --kernel bits --decisions=select && %symreal verify %s %t/bits.c --exact 256 2>&1 | FileCheck %s --check-prefix=BITS
+// RUN: %symreal generate %s -o %t/bits.c --kernel bits --decisions=select && %symreal verify %s %t/bits.c --samples 200 --exact 256 2>&1 | FileCheck %s --check-prefix=BITS
 // BITS: exact values, in 256 bits: there are none: 'nextafter' is no operation on real numbers
 
 // What is no number of bits, and where the option says nothing.
