@@ -15,27 +15,20 @@
    FILES-NEXT: k.h
    FILES-NOT: {{.}}
 
-   REDEFINE: %{call} = 'inertia(frame[0:2][0:2], gravity=9.81..9.82) -> return'
-   RUN: %{run} && FileCheck %s --check-prefix=STATIC < %t.log
+   So do those that the configuration lists; an argument may have the name of the function.
+   RUN: mkdir %t/listed && cp %s %t/listed/arm.c && cp %S/Inputs/call_c.yaml %t/listed/.symreal.yaml
+   RUN: cd %t/listed && %symreal generate arm.c -o ./ -- -std=c99 2> generated && FileCheck %s < generated
+   RUN: FileCheck %s --check-prefix=STATIC < %t/listed/generated
    STATIC: remark: no values are given for frame[0:2][0:2]: 'inertia' is recorded at numbers between 0 and 1 [SYM019]
-   STATIC: kernel inertia: 5 inputs, 0 parameters, 1 outputs
-   STATIC: kernel inertia, mode finite: 100 samples
-
-   REDEFINE: %{call} = 'move(body->x=1, body->v[0:2]=-1..1, dt=0.1) -> body->x'
-   RUN: %{run} && FileCheck %s --check-prefix=STRUCT < %t.log
-   STRUCT: kernel move: 4 inputs, 0 parameters, 1 outputs
-   STRUCT: kernel move, mode finite: 100 samples
-
-   REDEFINE: %{call} = 'rows(a[0:3][0:2]=0.5, at=&first) -> y[0:3]'
-   RUN: %{run} && FileCheck %s --check-prefix=ROWS < %t.log
-   ROWS: kernel rows: 6 inputs, 0 parameters, 3 outputs
-   ROWS: kernel rows, mode finite: 100 samples
-
-   An argument has the name of the function.
-   REDEFINE: %{call} = 'slope(slope=2) -> return'
-   RUN: %{run} && FileCheck %s --check-prefix=HIDDEN < %t.log
-   HIDDEN: kernel slope: 1 inputs, 0 parameters, 1 outputs
-   HIDDEN: kernel slope, mode finite: 100 samples
+   CHECK: kernel inertia: 5 inputs, 0 parameters, 1 outputs
+   CHECK: kernel move: 4 inputs, 0 parameters, 1 outputs
+   CHECK: kernel rows: 6 inputs, 0 parameters, 3 outputs
+   CHECK: kernel slope: 1 inputs, 0 parameters, 1 outputs
+   RUN: cd %t/listed && %symreal verify arm.c inertia.c move.c rows.c slope.c --samples=100 --min-samples=10 -- -std=c99 2> verified && FileCheck %s --check-prefix=SAME < verified
+   SAME: kernel inertia, mode finite: 100 samples
+   SAME: kernel move, mode finite: 100 samples
+   SAME: kernel rows, mode finite: 100 samples
+   SAME: kernel slope, mode finite: 100 samples
 
    REDEFINE: %{call} = 'limit(x=3, mode=HARD) -> return'
    REDEFINE: %{options} = --decisions=guard

@@ -9,46 +9,36 @@
 // OBJECT: kernel derivative: 5 inputs, 0 parameters, 3 outputs
 // OBJECT: kernel derivative, mode finite: 100 samples
 
-// REDEFINE: %{call} = 'veh::Bicycle::derivative(x[0:3]=0.5, u[0:2]=1, parameter wheelbase_, parameter offset_) -> dx[0:3]'
-// RUN: %{run} && FileCheck %s --check-prefix=DEFAULT < %t.log
-// DEFAULT: kernel derivative: 5 inputs, 2 parameters, 3 outputs
-// DEFAULT: kernel derivative, mode finite: 100 samples
-
-// REDEFINE: %{call} = 'veh::make("small").derivative(x[0:3]=0.5, u[0:2]=1) -> dx[0:3]'
-// RUN: %{run} && FileCheck %s --check-prefix=MADE < %t.log
+// An object that is made by default, members of the elements of an array, and one of several functions, by its arguments; an
+// object that a function gives, and one of several functions, by its types.
+// RUN: rm -rf %t && mkdir -p %t/a %t/b && cp %s %t/a/cxx.cpp && cp %s %t/b/cxx.cpp
+// RUN: cp %S/Inputs/call_cxx_a.yaml %t/a/.symreal.yaml && cp %S/Inputs/call_cxx_b.yaml %t/b/.symreal.yaml
+// RUN: cd %t/a && %symreal generate cxx.cpp -o ./ 2> log && %symreal verify cxx.cpp derivative.c total.c scale.c --samples=100 --min-samples=10 2>> log && FileCheck %s < log
+// CHECK: kernel derivative: 5 inputs, 2 parameters, 3 outputs
+// CHECK: kernel total: 4 inputs, 0 parameters, 1 outputs
+// CHECK: kernel scale: 2 inputs, 0 parameters, 2 outputs
+// CHECK: kernel derivative, mode finite: 100 samples
+// CHECK: kernel total, mode finite: 100 samples
+// CHECK: kernel scale, mode finite: 100 samples
+// RUN: cd %t/b && %symreal generate cxx.cpp -o ./ 2> log && %symreal verify cxx.cpp derivative.c scale.c --samples=100 --min-samples=10 2>> log && FileCheck %s --check-prefix=MADE < log
 // MADE: kernel derivative: 5 inputs, 0 parameters, 3 outputs
+// MADE: kernel scale: 1 inputs, 0 parameters, 1 outputs
+// MADE: kernel derivative, mode finite: 100 samples
+// MADE: kernel scale, mode finite: 100 samples
 
 // REDEFINE: %{flags} = -- -DMATRICES -I/usr/include/eigen3
 // REDEFINE: %{call} = 'veh::mix(x[0:3]={1, 2, 3}, m[0:2][0:2]=-1..1, r=0.25, z=1, s.a=2, s.b=3) -> x[0:3], z, return'
 // RUN: %if all %{ %{run} && FileCheck %s --check-prefix=MIX < %t.log %}
 // MIX: kernel mix: 12 inputs, 0 parameters, 6 outputs
 // MIX: kernel mix, mode finite: 100 samples
-// REDEFINE: %{flags} =
-
-// Members of the elements of an array.
-// REDEFINE: %{call} = 'veh::total(p[0:2].a, p[0:2].b={1, 2}) -> return'
-// RUN: %{run} && FileCheck %s --check-prefix=MEMBERS < %t.log
-// MEMBERS: kernel total: 4 inputs, 0 parameters, 1 outputs
-// MEMBERS: kernel total, mode finite: 100 samples
-
-// REDEFINE: %{flags} = -- -DMATRICES -I/usr/include/eigen3
 // REDEFINE: %{call} = 'scale(v[0:3]=1) -> v[0:3]'
 // RUN: %if all %{ %{run} && FileCheck %s --check-prefix=FIXED < %t.log %}
 // FIXED: kernel scale: 3 inputs, 0 parameters, 3 outputs
-// REDEFINE: %{flags} =
-// REDEFINE: %{call} = 'scale(v[0:n]=1, n=2) -> v[0:n]'
-// RUN: %{run} && FileCheck %s --check-prefix=COUNTED < %t.log
-// COUNTED: kernel scale: 2 inputs, 0 parameters, 2 outputs
-// REDEFINE: %{flags} = -- -DMATRICES -I/usr/include/eigen3
 // RUN: not %symreal generate %s --kernel 'scale(v[0:3]={1, 2}) -> v' -o %t.c %{flags} 2>&1 | FileCheck %s --check-prefix=FEW
 // FEW: --kernel:1:1: error: 3 functions 'scale' do not take these arguments: write the types of its parameters
 // FEW: note: scale(double *, int)
 // RUN: not %symreal generate %s --kernel 'scale(v=1) -> v' -o %t.c %{flags} 2>&1 | FileCheck %s --check-prefix=MANY
 // MANY: --kernel:1:1: error: 2 functions 'scale' take these arguments: write the types of its parameters
-// REDEFINE: %{flags} =
-// REDEFINE: %{call} = 'scale(double &)(v=1) -> v'
-// RUN: %{run} && FileCheck %s --check-prefix=TYPES < %t.log
-// TYPES: kernel scale: 1 inputs, 0 parameters, 1 outputs
 #ifdef MATRICES // which take long to compile
 #include <Eigen/Dense>
 #include <complex>
