@@ -1,8 +1,8 @@
 // The name of a type is that of the original: from typeid, in the signature of a template's instantiation, from a source
 // location. So are its hash and its place in an order.
 // RUN: %same %s -- -std=c++20
-// RUN: %rewrite %s -- -std=c++20 | FileCheck %s --check-prefix=TEXT
-// RUN: %rewrite %s -- -std=c++20 > %t.rewritten.cpp && %rewrite %t.rewritten.cpp -- -std=c++20 | diff %t.rewritten.cpp -
+// RUN: %rewrite %s -- -std=c++20 > %t.rewritten.cpp && FileCheck %s --check-prefix=TEXT < %t.rewritten.cpp
+// RUN: %rewrite %t.rewritten.cpp -- -std=c++20 | diff %t.rewritten.cpp -
 // RUN: %symreal generate %s -o %t.c -- -std=c++20 && %symreal verify %s %t.c --samples=50 -- -std=c++20
 // RUN: grep -v "pragma symreal" %s > %t.plain.cpp
 // RUN: %cxx -std=c++20 %t.plain.cpp -o %t.original && %symreal-c++ -std=c++20 %t.plain.cpp -o %t.symbolic

@@ -1,17 +1,17 @@
 // The RX90 as its table is usually computed: with cosines of right angles, which are not quite 0. --snap makes them so.
 // DEFINE: %{library} = %inputs/dh/dynamics.cpp %inputs/dh/robot.cpp
 // RUN: rm -rf %t && mkdir %t
-// RUN: %symreal generate %s %{library} -o %t/plain.c --fp=fast --effort=1 --json -- -I%inputs/dh > %t/plain.json 2> %t/told
+// RUN: %symreal generate %s %{library} -o %t/plain.c --fp=fast --effort=1 --json > %t/plain.json 2> %t/told
 // RUN: FileCheck %s --check-prefix=WITHOUT --input-file=%t/told
 // RUN: not python3 %tools/count_operations.py %t/plain.json --at-most 600
-// RUN: %symreal generate %s %{library} -o %t/tau.c --fp=fast --snap --mainline --json -- -I%inputs/dh > %t/tau.json 2> %t/told
+// RUN: %symreal generate %s %{library} -o %t/tau.c --fp=fast --snap --mainline --json > %t/tau.json 2> %t/told
 // RUN: FileCheck %s --input-file=%t/told
 // RUN: python3 %tools/count_operations.py %t/tau.json --at-most 475
 // RUN: %cc -std=c99 -O1 %t/tau.c %t/tau_main.c -lm -o %t/tau
 // RUN: %t/tau | sed 's/.*= //' | python3 %tools/compare_values.py --values="-1.12306682571876 -0.894509675549745 \
 // RUN:   -38.7896976790005 0.0934260953369911 -4.10483611637749 -2.82284316093078"
-// RUN: %symreal verify %s %{library} %t/tau.c --samples=300 -- -I%inputs/dh 2>&1 | FileCheck %s --check-prefix=VERIFIED
-#include "dynamics.h"
+// RUN: %symreal verify %s %{library} %t/tau.c --samples=300 2>&1 | FileCheck %s --check-prefix=VERIFIED
+#include "../../inputs/dh/dynamics.h"
 
 #include <cmath>
 
