@@ -42,7 +42,8 @@ static int run(int argc, char **argv) {
   }
   if (words.front() == "help") { // help SUBCOMMAND means SUBCOMMAND --help
     words.erase(words.begin());
-    words.emplace_back("--help");
+    auto const is_named = [&](CLI::App const *one) { return one->get_name() == words.front(); };
+    if (words.empty() || !app.get_subcommands(is_named).empty()) words.emplace_back("--help");
   }
   try {
     app.parse(std::vector<std::string>(words.rbegin(), words.rend())); // CLI11 expects the words in reverse

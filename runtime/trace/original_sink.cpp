@@ -283,6 +283,7 @@ void symreal_original_layout(void const volatile *begin, char const *layout, sym
 
 void symreal_original_statics(char const *names) {
   OwnWork const own;
+  if (!Kernel::current().is_recording()) return;
   std::string const wanted = " " + symreal::memory::without_tags(names) + " ";
   for (symreal::memory::StaticObject const &one : Kernel::current().sink().static_objects()) {
     std::string const name = symreal::memory::name_in_c(one.name);
@@ -292,7 +293,8 @@ void symreal_original_statics(char const *names) {
 
 void symreal_original_holder(void const volatile *begin, std::size_t size) {
   OwnWork const own;
-  if (!symreal::trace::is_later) Kernel::current().sink().holder(const_cast<void const *>(begin), size);
+  Kernel &kernel = Kernel::current();
+  if (kernel.is_recording() && !symreal::trace::is_later) kernel.sink().holder(const_cast<void const *>(begin), size);
 }
 
 void symreal_original_handed_over(int active, void const volatile *begin, std::size_t size) {
@@ -310,12 +312,14 @@ void symreal_original_whole(int active, void const volatile *object) {
 
 void symreal_original_own(void const volatile *begin, std::size_t size) {
   OwnWork const own;
-  Kernel::current().sink().own(const_cast<void const *>(begin), size);
+  if (Kernel &kernel = Kernel::current(); kernel.is_recording())
+    kernel.sink().own(const_cast<void const *>(begin), size);
 }
 
 void symreal_original_chosen(void const volatile *begin, std::size_t size) {
   OwnWork const own;
-  Kernel::current().sink().chosen(const_cast<void const *>(begin), size);
+  if (Kernel &kernel = Kernel::current(); kernel.is_recording())
+    kernel.sink().chosen(const_cast<void const *>(begin), size);
 }
 
 void symreal_original_object_end() {

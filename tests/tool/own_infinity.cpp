@@ -8,7 +8,7 @@
 #include <limits>
 
 // CHECK: INFINITY
-// SAME: {{9[0-9]|100}} within the premises
+// SAME: {{1[0-9][0-9]}} within the premises
 // SAME: return 1 0 0
 // SAME: y[0] 5 0 0
 #pragma symreal function input(x[0:4]) range(-2, 2) output(return, y[0:5])

@@ -77,7 +77,7 @@ public:
   void end_region(char const *file_name, SourcePlace place);
 
   bool begin_implicit(std::string const &label, Place const &place) {
-    return phase_ != Phase::none && !muted_ && !inert_region_ && sink_->begin_implicit(label, place);
+    return is_recording() && sink_->begin_implicit(label, place);
   }
   // The annotation whose items are evaluated from now on.
   void annotate(char const *label, SourcePlace place) { label_ = label, place_ = place; }
@@ -92,6 +92,8 @@ public:
     if (takes_clauses()) sink_->differentiate(wish);
   }
 
+  // False in an inert call, where the kernel may have no sink yet.
+  bool is_recording() const { return phase_ != Phase::none && !muted_ && !inert_region_; }
   bool is_entering_function() const { return phase_ == Phase::entering; }
   Sink &sink() { return *sink_; }
   // The objects that are annotated so far.
