@@ -1,15 +1,12 @@
 #include "runtime/trace/deliver.h"
 
-#include "engine/graph/frozen.h"
 #include "engine/graph/graph_binary.h"
-#include "engine/support/files.h"
 #include "engine/support/number.h"
 #include "runtime/trace/report/events.h"
 
 #include <atomic>
 #include <cstdio>
 #include <cstdlib>
-#include <filesystem>
 #include <iostream>
 #include <unistd.h>
 

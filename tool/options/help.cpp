@@ -8,50 +8,41 @@
 namespace symreal::tool {
 namespace {
 
-// Group title by option, or by "SUBCOMMAND OPTION" if the option differs there.
-std::map<std::string, std::string> titles() {
-  std::map<std::string, std::string> result;
+struct Help {
+  std::map<std::string, std::string> titles;   // by option, or by "SUBCOMMAND OPTION" if that subcommand has its own
+  std::map<std::string, std::string> examples; // by subcommand, in the spelling of the table
+};
+
+Help read_table() {
+  Help help;
   auto const add = [&](std::string const &before, char const *title, char const *options) {
     std::istringstream words(options);
-    for (std::string word; words >> word;) result[before + word] = title;
+    for (std::string word; words >> word;) help.titles[before + word] = title;
   };
 #define GROUP(title, options) add("", title, options);
 #define GROUP_IN(subcommand, title, options) add(#subcommand " ", title, options);
-#define EXAMPLE(subcommand, command, purpose)
+#define EXAMPLE(subcommand, command, purpose) help.examples[#subcommand] += "\n  " command "\n      " purpose;
 #include "tool/options/help.def"
 #undef GROUP
 #undef GROUP_IN
 #undef EXAMPLE
-  return result;
-}
-
-std::map<std::string, std::string> examples() {
-  std::map<std::string, std::string> result;
-#define GROUP(title, options)
-#define GROUP_IN(subcommand, title, options)
-#define EXAMPLE(subcommand, command, purpose) result[#subcommand] += "  " command "\n      " purpose "\n";
-#include "tool/options/help.def"
-#undef GROUP
-#undef GROUP_IN
-#undef EXAMPLE
-  return result;
+  return help;
 }
 
 } // namespace
 
 void arrange_help(CLI::App &app) {
-  auto const title_of = titles();
-  auto const example_of = examples();
+  Help const help = read_table();
   for (CLI::App *command : app.get_subcommands({})) {
     std::string name = command->get_name();
     for (CLI::Option *option : command->get_options()) {
-      auto found = title_of.find(name + " " + option->get_name());
-      if (found == title_of.end()) found = title_of.find(option->get_name());
-      if (found != title_of.end()) option->group(found->second);
+      auto found = help.titles.find(name + " " + option->get_name());
+      if (found == help.titles.end()) found = help.titles.find(option->get_name());
+      if (found != help.titles.end()) option->group(found->second);
     }
     std::ranges::replace(name, '-', '_');
-    if (auto const found = example_of.find(name); found != example_of.end())
-      command->footer("Examples:\n" + found->second.substr(0, found->second.size() - 1));
+    if (auto const found = help.examples.find(name); found != help.examples.end())
+      command->footer("Examples:" + found->second);
   }
 }
 

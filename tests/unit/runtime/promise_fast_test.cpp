@@ -1,4 +1,4 @@
-// What mode fast promises (docs/reference/floating-point.md), on random graphs: after all passes, at every effort, the
+// The promise of mode fast (docs/reference/floating-point.md), on random graphs: after all passes, at every effort, the
 // same function of real numbers, with errors of rounding that are about those of the original, and never more to
 // compute than the graph had or mode finite leaves. 2000 graphs at effort 0, or as many as SYMREAL_RANDOM_GRAPHS says;
 // a third of that at effort 1, a two-hundredth at 2.

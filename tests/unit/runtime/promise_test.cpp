@@ -1,6 +1,6 @@
-// What the modes promise (docs/reference/floating-point.md), on random graphs of all operations on numbers: after all
-// passes, strict gives the same bits at any operands, finite gives equal numbers where the premises hold. 10000 graphs
-// a mode, or as many as SYMREAL_RANDOM_GRAPHS says.
+// The promises of the modes (docs/reference/floating-point.md), on random graphs of all operations on numbers: after
+// all passes, strict gives the same bits at any operands, finite gives equal numbers where the premises hold. 10000
+// graphs a mode, or as many as SYMREAL_RANDOM_GRAPHS says.
 #include "engine/graph/evaluate.h"
 
 #include "graph_words.h"
