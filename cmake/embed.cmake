@@ -1,7 +1,7 @@
 # Writes a source that holds files as bytes: cmake -DOUTPUT=assets.cpp -DFOLDER=tool/html "-DFILES=a,b" -P embed.cmake
 # The first file is the first asset. A string literal would be too long for some compilers.
 string(REPLACE "," ";" files "${FILES}")
-set(source "#include \"tool/html/assets.h\"\n\nnamespace symreal::tool {\n\n")
+set(source "#include \"tool/html/page.h\"\n\nnamespace symreal::tool {\n\n")
 set(table "")
 foreach(file IN LISTS files)
   file(READ ${FOLDER}/${file} bytes HEX)

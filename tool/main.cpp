@@ -1,11 +1,11 @@
 // Command line of the tool: symreal SUBCOMMAND [options] files [-- compiler flags].
 #include "engine/diagnostics/diagnostic.h"
 #include "engine/support/files.h"
-#include "engine/support/version.h"
+#include "engine/support/installation.h"
 #include "program/build/read_files.h"
 #include "tool/commands/subcommands.h"
 #include "tool/configuration/unknown_words.h"
-#include "tool/options/help.h"
+#include "tool/options/option_table.h"
 
 #include <algorithm>
 #include <cstdio>

@@ -1,7 +1,7 @@
 #include "verify/bisection.h"
 
 #include "engine/graph/evaluate.h"
-#include "engine/optimise/passes/sweep.h"
+#include "engine/optimise/passes/rule.h"
 #include "runtime/replay/compare.h"
 
 #include <algorithm>

@@ -2,9 +2,14 @@
 
 #include "engine/graph/evaluate.h"
 #include "engine/graph/extended.h"
+#include "verify/check.h"
 
 #include <algorithm>
 #include <cmath>
+
+// Functions of Multiprecision are found by argument-dependent lookup.
+#define SYMREAL_MATH(function) function
+#include "engine/graph/evaluate_in.h"
 
 namespace symreal::program {
 
@@ -27,6 +32,29 @@ void join(ErrorsOfOutput &output, ErrorsOfOutput const &more) {
 }
 
 } // namespace
+
+Multiprecision evaluate_exact(Op op, Multiprecision const &x, Multiprecision const &y, Multiprecision const &z) {
+  return evaluate_in(op, x, y, z);
+}
+
+ExactOutputs::ExactOutputs(Graph const &graph, unsigned bits) : graph_(graph) { Multiprecision::set_bits(bits); }
+
+bool ExactOutputs::move_to(std::span<double const> inputs, std::span<double const> parameters,
+                           std::span<double const> values) {
+  auto const leaf = [&](NodeId, Node const &node, std::vector<Multiprecision> const &) {
+    return Multiprecision(node.op == Op::input ? inputs[node.slot()] : parameters[node.slot()]);
+  };
+  auto wide = evaluate_nodes<Multiprecision>(graph_, values, leaf, [](NodeId, Multiprecision const &) {});
+  if (!wide) return false;
+  outputs_.clear();
+  for (NodeId result : graph_.results) outputs_.push_back((*wide)[result]);
+  return true;
+}
+
+double ExactOutputs::error_of(std::size_t slot, double number) const {
+  Multiprecision const &exact = outputs_[slot];
+  return static_cast<double>(fabs(Multiprecision(number) - exact) / fmax(fabs(exact), Multiprecision(1)));
+}
 
 void join(ErrorResult &result, ErrorResult const &other) {
   result.samples += other.samples;
@@ -67,6 +95,33 @@ bool ExactErrors::compare(std::size_t k, Sample const &sample, std::span<double 
     is_worst |= output.has_worst() && output.worst_sample == k;
   }
   return is_worst;
+}
+
+namespace {
+
+class Errors final : public Check {
+public:
+  Errors(Subject &subject, Verification &result)
+      : errors_(subject.graph, subject.options.exact_bits),
+        result_(result) {}
+
+  bool compare(CheckedSample const &on) override {
+    bool const is_worst = errors_.compare(on.number, on.sample, on.values, on.original, on.generated);
+    if (is_worst) result_.errors = errors_.result();
+    return is_worst;
+  }
+
+  void finish() override { result_.errors = errors_.result(); }
+
+private:
+  ExactErrors errors_;
+  Verification &result_;
+};
+
+} // namespace
+
+std::unique_ptr<Check> check_exact_errors(Subject &subject, Verification &result) {
+  return subject.options.exact_bits != 0 ? std::make_unique<Errors>(subject, result) : nullptr;
 }
 
 } // namespace symreal::program

@@ -1,12 +1,12 @@
 #include "verify/generated_code.h"
 
-#include "engine/emit/c/externals.h"
+#include "engine/emit/c/parts.h"
 #include "engine/emit/cpp/parts.h"
 #include "engine/emit/language/banner.h"
 #include "engine/emit/languages/languages.h"
 #include "engine/graph/evaluate.h"
 #include "engine/support/files.h"
-#include "engine/support/version.h"
+#include "engine/support/installation.h"
 #include "program/build/process.h"
 
 #include <algorithm>

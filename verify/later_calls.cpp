@@ -1,5 +1,7 @@
 #include "verify/later_calls.h"
 
+#include "verify/check.h"
+
 #include <bit>
 
 namespace symreal::program {
@@ -54,6 +56,78 @@ std::optional<Sample> LaterCalls::beyond_guards(Replay const &original, Sample c
     if (evaluated.premises.defined && evaluated.failing_guard < graph_.guards.size()) return next;
   }
   return std::nullopt;
+}
+
+namespace {
+
+class CallsInARow final : public Check {
+public:
+  CallsInARow(Subject &subject, Verification &result) : subject_(subject), result_(result) {}
+
+  bool compare(CheckedSample const &on) override {
+    bool is_worst = compare_later(on);
+    if (!on.later.empty() && tried_beyond_ < most_beyond) is_worst |= compare_beyond(on);
+    return is_worst;
+  }
+
+private:
+  // Compares later calls, each on the state that the original leaves. In mode fast, a difference counts only if the
+  // original would give another output in a first call: rounding is judged by first calls.
+  bool compare_later(CheckedSample const &on) {
+    Replay &program = *subject_.original;
+    FloatingPoint const mode = subject_.banner.mode;
+    double const tolerance = subject_.options.tolerance;
+    std::vector<std::pair<LaterCall, std::vector<double>>> calls; // and the original's outputs
+    for (std::size_t call = 1; call < program.calls(); ++call) {
+      LaterCall const &plan = on.later[call - 1];
+      std::vector<double> const before = program.outputs_of(call - 1);
+      bool const as_planned = program.next_inputs(plan.sample, before) == plan.sample.inputs;
+      std::optional<LaterCall> now = as_planned ? plan : subject_.later_calls.after(program, plan.sample, before);
+      if (!now) break;
+      calls.emplace_back(std::move(*now), program.outputs_of(call));
+    }
+    bool is_worst = false;
+    for (auto const &[call, original] : calls) {
+      bool const may_round = mode == FloatingPoint::fast && !all_near(original, call.outputs, mode, tolerance);
+      if (may_round && all_same(program.run(call.sample), original)) continue;
+      is_worst |= compare_outputs(result_.called_again, on.number, original, call.outputs, mode, tolerance);
+    }
+    return is_worst;
+  }
+
+  // Compares the original beyond a guard, after calls of the generated code that it has not seen: it must not need
+  // state from them. Failing or not ending beyond the guards says nothing.
+  bool compare_beyond(CheckedSample const &on) {
+    Replay &program = *subject_.original;
+    std::optional<Sample> const beyond = subject_.later_calls.beyond_guards(program, on.sample, on.generated);
+    if (!beyond) return false;
+    ++tried_beyond_;
+    bool is_worst = false;
+    try {
+      std::vector<double> const alone = program.run(*beyond, {}, seconds_beyond);
+      (void)program.run(on.sample, {&*beyond, 1}, seconds_beyond);
+      if (program.calls() < 2) return false;
+      std::vector<double> const after = program.outputs_of(1);
+      for (std::size_t slot = 0; slot < alone.size(); ++slot)
+        if (after[slot] != replay::spoilt_output) // the original writes this output
+          is_worst |= result_.called_beyond[slot].add(on.number, after[slot], alone[slot], FloatingPoint::strict, 0);
+    } catch (DiagnosticError const &) {
+      tried_beyond_ = most_beyond;
+    }
+    return is_worst;
+  }
+
+  Subject &subject_;
+  std::size_t tried_beyond_ = 0;
+  Verification &result_;
+};
+
+} // namespace
+
+std::unique_ptr<Check> check_later_calls(Subject &subject, Verification &result) {
+  result.called_again.resize(subject.graph.output_count());
+  result.called_beyond.resize(subject.graph.output_count());
+  return std::make_unique<CallsInARow>(subject, result);
 }
 
 } // namespace symreal::program

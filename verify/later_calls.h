@@ -16,6 +16,10 @@ struct LaterCall {
   std::vector<double> outputs; // outputs of the generated code
 };
 
+// Samples that are followed by one beyond the guards, and the time limit of that one: the original may not end there.
+inline constexpr std::size_t most_beyond = 100;
+inline constexpr unsigned seconds_beyond = 1;
+
 class LaterCalls {
 public:
   // `run` calls the generated code.

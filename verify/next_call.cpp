@@ -1,7 +1,6 @@
-#include "verify/next_call.h"
-
+// Check of the program's own next call of a kernel: exposes baked-in values that the program changes between calls.
 #include "program/wrapper/wrapper_text.h"
-#include "runtime/replay/compare.h"
+#include "verify/check.h"
 
 #include <algorithm>
 #include <cctype>
@@ -46,9 +45,10 @@ std::vector<std::string> parameters_of(rewrite::Kernel const &kernel) {
 }
 
 constexpr unsigned seconds = 2; // time limit of a sample
+constexpr std::size_t most_samples = 4;
 
-} // namespace
-
+// Must the next call be the recorded one on other inputs? True if nothing is declared constant or reported as baked in,
+// the clauses name every argument, and the number of inputs determines their shapes.
 bool is_next_call_comparable(Recorded const &recorded) {
   rewrite::Kernel const &kernel = recorded.kernel;
   rewrite::Redefinition const &function = kernel.signature.redefinition;
@@ -75,26 +75,56 @@ bool is_next_call_comparable(Recorded const &recorded) {
   });
 }
 
-std::size_t different_in_next_call(Front const &front, RunOptions const &run, Recorded const &recorded,
-                                   GeneratedCode &code, Replay &first, std::string const &executable,
-                                   std::vector<Sample> const &samples, double tolerance) {
-  std::size_t different = 0;
-  try {
-    Replay next("the original in its next call", executable, run, recorded.begun_as, recorded.graph, *front.workspace,
-                nullptr, {}, {"SYMREAL_LATER_CALL=1"});
-    for (Sample const &sample : samples) {
+class NextCall final : public Check {
+public:
+  NextCall(Subject &subject, Verification &result) : subject_(subject), result_(result) {}
+
+  bool compare(CheckedSample const &on) override {
+    if (samples_.size() < most_samples) samples_.push_back(on.sample);
+    return false;
+  }
+
+  void finish() override {
+    if (samples_.empty()) return;
+    try {
+      result_.next_call_different = count_different();
+    } catch (DiagnosticError const &) {
+    }
+  }
+
+private:
+  // 0 if the program makes no such call, or passes overlapping arguments that lay apart.
+  std::size_t count_different() {
+    wire::Request request;
+    request.set(wire::Entry::later_call, "1");
+    Replay next("the original in its next call", subject_.original_program, subject_.run, subject_.recorded.begun_as,
+                subject_.recorded.graph, *subject_.front.workspace, nullptr, {}, std::move(request));
+    Replay &first = *subject_.original;
+    std::size_t different = 0;
+    for (Sample const &sample : samples_) {
       std::vector<double> const original = next.run(sample, {}, seconds);
       (void)first.run(sample, {}, seconds);
       std::vector<double> const nothing(original.size(), 0);
       if (first.next_inputs(sample, nothing) != next.next_inputs(sample, nothing)) return 0;
-      std::vector<double> const generated = code.run(sample.inputs, sample.parameters).outputs;
-      different += !std::ranges::equal(original, generated,
-                                       [&](double a, double b) { return same(a, b, code.banner().mode, tolerance); });
+      std::vector<double> const generated = subject_.code.run(sample.inputs, sample.parameters).outputs;
+      different += !all_near(original, generated, subject_.banner.mode, subject_.options.tolerance);
     }
-  } catch (DiagnosticError const &) {
-    return 0;
+    return different;
   }
-  return different;
+
+  Subject &subject_;
+  std::vector<Sample> samples_;
+  Verification &result_;
+};
+
+} // namespace
+
+std::unique_ptr<Check> check_next_call(Subject &subject, Verification &result) {
+  bool const is_plain = subject.banner.has_values && subject.banner.derivatives.empty() && subject.is_exact();
+  if (!subject.has_original() || subject.in_program || !is_plain || subject.options.branches ||
+      !is_next_call_comparable(subject.recorded))
+    return nullptr;
+  return std::make_unique<NextCall>(subject, result);
 }
 
 } // namespace symreal::program

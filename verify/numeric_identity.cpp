@@ -3,11 +3,9 @@
 #include "engine/support/files.h"
 #include "engine/support/installation.h"
 #include "engine/support/parallel.h"
-#include "program/build/message_line.h"
-#include "program/build/neighbours.h"
+#include "program/build/compiler_messages.h"
 #include "program/build/overlay.h"
 #include "program/build/process.h"
-#include "program/build/search_flags.h"
 #include "rewrite/request/driver_options.h"
 
 #include <filesystem>

@@ -20,6 +20,8 @@
 
 namespace symreal::program {
 
+using wire::Entry;
+
 // Server process with its pipes and the shared file.
 struct Replay::Server {
   replay::Head *head = nullptr;
@@ -72,8 +74,8 @@ struct Replay::Server {
       fail(DiagnosticId::no_workspace, {}, "no pipe can be made: " + std::string(std::strerror(errno)));
     commands = to[1];
     answers = from[0];
-    command.environment.push_back(fmt::format("SYMREAL_REPLAY={},{},{}", file, to[0], from[1]));
-    command.environment.push_back("SYMREAL_REPLAY_KERNEL=" + begun_as);
+    command.request.set(Entry::replay, fmt::format("{},{},{}", file, to[0], from[1]));
+    command.request.set(Entry::replay_kernel, begun_as);
     command.inherited = {to[0], from[1]};
     process = std::jthread([this, command, to, from] {
       outcome = program::run(command, [](std::string_view) {});
@@ -85,7 +87,7 @@ struct Replay::Server {
 
 Replay::Replay(std::string what, std::string const &executable, RunOptions const &options, std::string const &begun_as,
                Graph const &graph, Workspace const &workspace, GeneratedCode const *code, std::string const &profile,
-               std::vector<std::string> const &environment)
+               wire::Request request)
     : what_(std::move(what)),
       server_(std::make_unique<Server>()) {
   std::signal(SIGPIPE, SIG_IGN); // the program may end at any moment
@@ -95,18 +97,18 @@ Replay::Replay(std::string what, std::string const &executable, RunOptions const
   server_->share(file, graph, options.time_limit, code, profile.empty() ? 1 + most_later : 1);
   Command command{.arguments = {executable},
                   .directory = options.directory,
-                  .environment = {},
+                  .request = std::move(request),
                   .standard_input = options.standard_input,
                   .inherited = {}};
   command.arguments.insert(command.arguments.end(), options.arguments.begin(), options.arguments.end());
   if (code) {
     std::string const recorded = workspace.file("replayed.graph");
     write_binary_graph(recorded, graph);
-    command.environment = {"SYMREAL_REPLAY_CODE=" + code->object(), "SYMREAL_REPLAY_PREFIX=" + code->prefix(),
-                           "SYMREAL_REPLAY_GRAPH=" + recorded};
+    command.request.set(Entry::replay_code, code->object());
+    command.request.set(Entry::replay_prefix, code->prefix());
+    command.request.set(Entry::replay_graph, recorded);
   }
   if (!profile.empty()) command.environment.push_back("LLVM_PROFILE_FILE=" + profile);
-  command.environment.insert(command.environment.end(), environment.begin(), environment.end());
   server_->start(command, file, begun_as);
 }
 

@@ -16,10 +16,10 @@ class Replay {
 public:
   // Starts the program. `what`: its description; `begun_as`: the name under which the kernel begins. With `code` it can
   // also run that code and the graph. With `profile` it counts branches and writes the counts to that file when this
-  // object is destroyed; the kernel is then called once per sample. `environment`: additional environment variables.
+  // object is destroyed; the kernel is then called once per sample. `request`: further entries of the request.
   Replay(std::string what, std::string const &executable, RunOptions const &options, std::string const &begun_as,
          Graph const &graph, Workspace const &workspace, GeneratedCode const *code = nullptr,
-         std::string const &profile = {}, std::vector<std::string> const &environment = {});
+         std::string const &profile = {}, wire::Request request = {});
   ~Replay();
   Replay(Replay const &) = delete;
   Replay &operator=(Replay const &) = delete;
@@ -43,7 +43,7 @@ public:
   // memory that it reads.
   std::vector<replay::UnnamedObject> examine(Sample const &sample);
   std::string unexamined() const; // reason why the examination is incomplete; empty if it is complete
-  // Hash of the non-numeric parts of the returned object, which SYMREAL_RETURNED describes.
+  // Hash of the non-numeric parts of the returned object, which entry `returned` of the request describes.
   std::uint64_t returned() const;
   // `inputs`: all inputs of the generated code, including those that derivatives add.
   GeneratedCode::Result run_generated(Sample const &sample, std::span<double const> inputs);

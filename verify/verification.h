@@ -3,16 +3,16 @@
 
 #include "program/build/branches.h"
 #include "program/record/front.h"
+#include "runtime/replay/boundaries.h"
 #include "runtime/replay/compare.h"
-#include "runtime/replay/decisions.h"
 #include "runtime/replay/samples.h"
-#include "verify/derivative_verification.h"
 #include "verify/exact_errors.h"
 #include "verify/exact_values.h"
 #include "verify/generated_code.h"
-#include "verify/thread_verification.h"
 
 #include <map>
+#include <memory>
+#include <optional>
 
 namespace symreal::program {
 
@@ -60,6 +60,46 @@ struct LeftState {
   std::string name;    // description
   std::size_t samples; // number of samples concerned
 };
+
+// Nanoseconds of an evaluation: medians over turns that alternate between one thread and all.
+struct ThreadTimes {
+  double alone = 0, together = 0;
+  double gain = 0, low = 0, high = 0; // speedup in a turn: median and quartiles
+  std::size_t turns = 0;
+};
+
+// Threads that share an evaluation.
+struct ThreadResult {
+  unsigned threads = 1;
+  std::size_t different = 0;             // samples on which one thread computes other numbers or returns another guard
+  std::optional<ThreadTimes> times = {}; // nullopt if the code calls functions of the program
+};
+
+// Verdict on one element of a derivative after the samples so far.
+struct DerivativeElement {
+  // Samples whose differences are sharp enough to judge by; samples that differ from those, or from dual numbers.
+  std::size_t judged = 0, different = 0;
+  // Worst error, as a fraction of the error allowed there; expected and found values; the reference that gave them.
+  double error = 0, expected = 0, found = 0;
+  bool is_by_differences = false;
+  std::shared_ptr<Sample const> worst = {};
+  // Samples on which it differs from the unoptimised formulas, which the mode promises to keep; the first such sample:
+  std::size_t broken = 0;
+  double promised = 0, given = 0;
+  std::shared_ptr<Sample const> first_broken = {};
+};
+
+struct DerivativeResult {
+  // Derivative objects, matrices in full even if stored packed; their slots follow the original's.
+  std::vector<Object> objects;
+  std::vector<DerivativeElement> elements;
+  std::size_t tried = 0, promised = 0; // samples, and those on which the mode promises equal numbers
+  std::size_t left_out = 0;            // samples that would have taken too long
+  double tolerance = 0;
+};
+
+// An element with fewer judged samples (or fewer than half of those tried, if that is less) counts as unverified.
+inline constexpr std::size_t least_judged = 10;
 
 struct Verification {
   FloatingPoint mode = FloatingPoint::finite;

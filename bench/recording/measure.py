@@ -69,8 +69,7 @@ def recorded(program, joints, links, columns, work):
     (work / "recording").mkdir()
     values, places = columns
     return run([program, str(joints), links],
-               {**os.environ, "SYMREAL_RECORD": str(work / "recording"), "SYMREAL_KERNELS": "1",
-                "SYMREAL_VALUES": values, "SYMREAL_PLACES": places})
+               {**os.environ, "SYMREAL_REQUEST": f"record={work / 'recording'};kernels=1;values={values};places={places}"})
 
 
 def stages_of(work, rounds):

@@ -1,10 +1,9 @@
 #include "engine/diagnostics/diagnostic.h"
 
-#include "engine/diagnostics/source_line.h"
-
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <fstream>
 #include <ostream>
 
 namespace symreal {
@@ -63,7 +62,9 @@ std::string beyond_message(std::string const &item, std::string const &object, s
   return text + (has_rows ? " each" : "");
 }
 
-static std::string_view spelling(Severity severity) {
+namespace {
+
+std::string_view spelling(Severity severity) {
   switch (severity) {
   case Severity::error: return "error";
   case Severity::warning: return "warning";
@@ -71,6 +72,47 @@ static std::string_view spelling(Severity severity) {
   }
   return "";
 }
+
+constexpr std::size_t longest = 300; // line that is shown
+
+// White space as wide as the text on screen: tabs stay, and a UTF-8 character has one column.
+std::string blanks(std::string const &text) {
+  std::string result;
+  for (char c : text)
+    if (c == '\t')
+      result += c;
+    else if ((static_cast<unsigned char>(c) & 0xC0) != 0x80)
+      result += ' ';
+  return result;
+}
+
+// Masks control characters, which the terminal would interpret.
+std::string printable(std::string text) {
+  for (char &c : text)
+    if ((static_cast<unsigned char>(c) < ' ' && c != '\t') || c == '\x7F') c = '?';
+  return text;
+}
+
+// Source line of a message, with a mark below the column:
+//    12 |   return (int)x;
+//       |               ^
+// Empty if the file is unreadable, lacks the line, or the line is too long to show.
+std::string marked_line(Place const &place) {
+  if (place.line == 0) return {};
+  std::ifstream file(place.file);
+  std::string line;
+  for (unsigned i = 0; i < place.line; ++i)
+    if (!std::getline(file, line)) return {};
+  if (!line.empty() && line.back() == '\r') line.pop_back();
+  if (line.empty() || line.size() > longest) return {};
+  std::string const number = std::to_string(place.line);
+  std::string text = " " + number + " | " + printable(line) + "\n";
+  if (place.column != 0 && place.column <= line.size() + 1)
+    text += std::string(number.size() + 1, ' ') + " | " + blanks(line.substr(0, place.column - 1)) + "^\n";
+  return text;
+}
+
+} // namespace
 
 void print(std::ostream &out, Diagnostic const &diagnostic) {
   auto prefix = [](Place const &place) { return place.file.empty() ? std::string("symreal") : to_string(place); };

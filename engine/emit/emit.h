@@ -1,11 +1,9 @@
-// Emission: turns a schedule into source text in one of the languages of languages.def.
+// Emission: turns a plan into source text in one of the languages of languages.def.
 #pragma once
 
 #include "engine/emit/language/emitted.h"
 #include "engine/emit/languages/languages.h"
-#include "engine/plan/lanes/lanes.h"
-#include "engine/plan/reroll/reroll.h"
-#include "engine/plan/schedule/schedule.h"
+#include "engine/plan/plan.h"
 
 #include <vector>
 
@@ -20,10 +18,8 @@ namespace symreal {
 // file also has
 //   enum { guard_count = n };
 //   char const *guard_text(int guard);
-// Throws bad_option if the language cannot express the graph.
-// `loops`: loop programs printed in place of the statements that they were found in.
-// `lanes`: vector code of compute, for compilers and processors with vectors; others get the schedule's statements.
-std::vector<EmittedFile> emit(Schedule const &plan, Language const &language, EmitOptions const &options,
-                              Rerolled const *loops = nullptr, Laned const *lanes = nullptr);
+// Throws bad_option if the language cannot express the graph. Vector code is for compilers and processors with vectors;
+// others get the statements.
+std::vector<EmittedFile> emit(Plan const &plan, Language const &language, EmitOptions const &options);
 
 } // namespace symreal

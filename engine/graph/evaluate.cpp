@@ -1,10 +1,6 @@
 #include "engine/graph/evaluate.h"
 
-#include "engine/graph/call_results.h"
-#include "engine/graph/complex_function.h"
 #include "engine/graph/implicit.h"
-#include "engine/graph/infinity.h"
-#include "engine/graph/opaque.h"
 
 #include <symreal/integer_functions.h>
 
@@ -44,7 +40,26 @@ private:
   CallResults results_;
 };
 
+// Infinite constants of the program stand for "none yet" or "no limit". Premise P1 of mode finite covers computed
+// values only; such a constant may be compared, selected, and passed on: by hands_on, comparisons, and argument lists.
+bool takes_infinity(Op op) {
+  return hands_on(op) || op == Op::argument || (info(op).has(flag::BOOLEAN) && !info(op).has(flag::LOGICAL));
+}
+
 } // namespace
+
+std::vector<double> CallResults::called(std::size_t function, std::vector<double> const &arguments) const {
+  External const &external = graph_.externals[function];
+  if (is_implicit(external)) return {arguments.begin(), arguments.begin() + external.parameters[2].count};
+  std::vector<double> results(external.result_count());
+  if (std::optional<ComplexFunction> const known = find_complex_function(external)) {
+    evaluate(*known, arguments, results);
+    return results;
+  }
+  internal_check(static_cast<bool>(call_));
+  call_(function, arguments, results);
+  return results;
+}
 
 bool calls_program(Graph const &graph) {
   return std::ranges::any_of(graph.externals, [](External const &external) {

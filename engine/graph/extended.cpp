@@ -1,8 +1,8 @@
 #include "engine/graph/extended.h"
 
-#include "engine/graph/call_results.h"
+#include "engine/graph/evaluate.h"
 #include "engine/graph/evaluate_in.h"
-#include "engine/graph/opaque.h"
+#include "engine/graph/graph.h"
 
 namespace symreal {
 

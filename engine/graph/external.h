@@ -1,12 +1,17 @@
-// Tables of constants and external functions, which opaque operations refer to by number.
+// Tables of constants and external functions, which opaque operations refer to by number; functions of complex numbers
+// among them.
 #pragma once
 
 #include "engine/diagnostics/diagnostic.h"
 
+#include <symreal/complex_function.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace symreal {
@@ -19,6 +24,10 @@ struct Table {
   std::vector<double> values;
   Place place = {};
 };
+
+// Index into a table: truncated and clamped to the extent. A NaN counts as 0.
+std::size_t table_index(double index, std::size_t extent);
+double look_up(Table const &table, double row, double column);
 
 // One parameter of an external function, or its return value. `count`: number of doubles in an object, flattened over
 // its arrays and structs.
@@ -71,5 +80,24 @@ struct External {
   // The first derivative function, with the higher ones as its derivatives; nullopt if it is unknown.
   std::optional<External> derivative() const;
 };
+
+// Functions of complex numbers (include/symreal/complex_functions.def) as external functions of a graph. Arguments and
+// results are lists of real and imaginary parts; every evaluator can call them.
+
+struct ComplexFunctionInfo {
+  std::string_view name; // in a graph
+  unsigned arity;
+  bool is_infix;
+  std::string_view c;
+  bool has_cut;
+};
+
+ComplexFunctionInfo const &info(ComplexFunction function);
+
+External external_of(ComplexFunction function);
+std::optional<ComplexFunction> find_complex_function(External const &external);
+
+// Reference semantics: the C library's functions and the compiler's operators.
+void evaluate(ComplexFunction function, std::span<double const> arguments, std::span<double> results);
 
 } // namespace symreal

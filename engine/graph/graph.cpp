@@ -1,5 +1,9 @@
 #include "engine/graph/graph.h"
 
+#include "engine/support/number.h"
+
+#include <algorithm>
+#include <fmt/format.h>
 #include <limits>
 
 namespace symreal {
@@ -20,6 +24,53 @@ std::size_t number_count(std::vector<std::size_t> const &extents, std::vector<Me
   for (std::size_t const extent : extents)
     if (__builtin_mul_overflow(count, extent, &count)) count = most;
   return count;
+}
+
+// Finds an object by its label, or by its name: "x[0:2]" or x.
+static std::size_t find(std::vector<Object> const &objects, std::string const &name) {
+  auto const is_meant = [&](Object const &object) {
+    return object.label == name || object.label.substr(0, object.label.find('[')) == name;
+  };
+  return static_cast<std::size_t>(std::ranges::find_if(objects, is_meant) - objects.begin());
+}
+
+std::vector<State> find_states(Graph const &graph) {
+  std::vector<State> states;
+  for (StatePair const &pair : graph.states) {
+    auto const require = [&](bool holds, std::string const &why) {
+      if (!holds)
+        fail(DiagnosticId::pragma_syntax, pair.place, "state(" + pair.state + ", " + pair.derivative + "): " + why);
+    };
+    State const state{find(graph.inputs, pair.state), find(graph.outputs, pair.derivative)};
+    require(state.input != graph.inputs.size(), "'" + pair.state + "' is no input of kernel '" + graph.kernel + "'");
+    require(state.output != graph.outputs.size(),
+            "'" + pair.derivative + "' is no output of kernel '" + graph.kernel + "'");
+    Object const &input = graph.inputs[state.input], &output = graph.outputs[state.output];
+    require(input.extents == output.extents && input.members == output.members, "they have different shapes");
+    for (State const &other : states)
+      require(other.input != state.input && other.output != state.output, "another state(...) names one of them");
+    states.push_back(state);
+  }
+  std::ranges::sort(states, {}, &State::input);
+  return states;
+}
+
+std::string value_list(std::vector<double> const &values) {
+  constexpr std::size_t most = 4;
+  std::string text;
+  for (std::size_t i = 0; i < values.size() && i < most; ++i) text += (i ? ", " : "") + shortest(values[i]);
+  return values.size() > most ? fmt::format("{}, ... ({} in all)", text, values.size()) : text;
+}
+
+std::optional<Severity> frozen_severity(Frozen const &state, std::string const &policy) {
+  if (policy == "allow" || state.is_member || (state.is_around && policy == "state")) return {};
+  return policy == "warn" ? Severity::warning : Severity::error;
+}
+
+std::string frozen_message(std::string const &kernel, Frozen const &state) {
+  std::string const values = state.values.empty() ? "" : " (" + value_list(state.values) + ")";
+  return fmt::format("kernel '{}' reads '{}'{}, which {} neither input nor parameter", kernel, state.name, values,
+                     state.values.size() > 1 ? "are" : "is");
 }
 
 Place place_at(Graph const &graph, LocationId location) {
@@ -136,17 +187,29 @@ void keep_nodes(Graph &graph, std::vector<char> const &kept) {
   if (graph.last_effect != no_node) graph.last_effect = now[graph.last_effect];
 }
 
-std::vector<char> live_nodes(Graph const &graph) {
-  std::vector<char> live(graph.nodes.size(), 0);
-  for_each_root(graph, [&](NodeId root) { live[root] = 1; });
+void mark_operands(Graph const &graph, std::vector<char> &marked) {
   // Operands precede users, so one backward sweep meets every user before its operands.
   for (std::size_t id = graph.nodes.size(); id-- > 0;) {
     Node const &node = graph.nodes[id];
-    if (!live[id] || is_leaf(node.op)) continue;
+    if (!marked[id] || is_leaf(node.op)) continue;
     for (NodeId operand : node.operand)
-      if (operand != no_node) live[operand] = 1;
+      if (operand != no_node) marked[operand] = 1;
   }
+}
+
+std::vector<char> live_nodes(Graph const &graph) {
+  std::vector<char> live(graph.nodes.size(), 0);
+  for_each_root(graph, [&](NodeId root) { live[root] = 1; });
+  mark_operands(graph, live);
   return live;
+}
+
+std::vector<NodeId> arguments_of(Graph const &graph, NodeId list) {
+  std::vector<NodeId> values;
+  for (; graph.nodes[list].op == Op::argument; list = graph.nodes[list].operand[0])
+    values.push_back(graph.nodes[list].operand[1]);
+  std::reverse(values.begin(), values.end());
+  return values;
 }
 
 } // namespace symreal

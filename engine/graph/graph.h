@@ -4,13 +4,32 @@
 #include "engine/diagnostics/diagnostic.h"
 #include "engine/graph/external.h"
 #include "engine/graph/node.h"
-#include "engine/graph/operation_counts.h"
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace symreal {
+
+// Operation counts, per operation.
+struct OperationCounts {
+  std::array<std::size_t, static_cast<std::size_t>(Op::count)> by_op{};
+
+  std::size_t &operator[](Op op) { return by_op[static_cast<std::size_t>(op)]; }
+  std::size_t operator[](Op op) const { return by_op[static_cast<std::size_t>(op)]; }
+  // Number of + - * /; negations and functions are excluded.
+  std::size_t arithmetic() const { return (*this)[Op::add] + (*this)[Op::sub] + (*this)[Op::mul] + (*this)[Op::div]; }
+  std::size_t calls() const {
+    std::size_t sum = 0;
+    for (OperationInfo const &operation : operations())
+      if (operation.form == Form::call) sum += (*this)[operation.op];
+    return sum;
+  }
+};
 
 struct Range {
   double low, high;
@@ -57,7 +76,7 @@ struct DerivativeMatrix {
   std::vector<std::uint32_t> row = {}, column = {};
 };
 
-// An input and the output that is its time derivative, by label or by the name in it; resolved by states.h.
+// An input and the output that is its time derivative, by label or by the name in it; find_states resolves it.
 struct StatePair {
   std::string state, derivative;
   Place place = {};
@@ -92,6 +111,17 @@ struct Guard {
   std::string text; // the condition as text
 };
 
+// Endings of guard texts. A guard text begins with the condition, which the driver replaces by the source's wording.
+inline constexpr std::string_view guard_is_false = " is false"; // the program took the other branch
+inline constexpr std::string_view guard_gives = " gives ";      // of a conversion, followed by its integer
+inline constexpr std::string_view guard_where = " where "; // followed by the selects' conditions under which it applies
+inline constexpr std::string_view guard_of_several = "one of several paths comes by"; // of a disjunction of many paths
+
+// Offset of the end of the condition.
+inline std::size_t end_of_condition(std::string_view guard) {
+  return std::min({guard.find(guard_is_false), guard.find(guard_gives), guard.find(guard_where), guard.size()});
+}
+
 struct Graph {
   Graph();
   Graph(Graph const &);
@@ -113,7 +143,7 @@ struct Graph {
   std::vector<NodeId> precomputed; // stored by preprocess: slot k of `constants` holds precomputed[k]
   std::vector<Guard> guards;       // in the order of recording: compute returns k + 1 for the first, k, that fails
   std::string decisions = "error"; // the policy while recording, as --decisions spells it
-  bool from_instructions = false;  // recorded from the instructions of the original: --via-ir
+  bool from_instructions = false;  // recorded from the instructions of the original: --record=instructions
   std::vector<Table> tables;       // of lookups, by number
   std::vector<External> externals; // of calls, by number
   NodeId last_effect = no_node;    // last of the ordered calls, each of which names its predecessor
@@ -136,6 +166,22 @@ private:
     return objects.empty() ? 0 : objects.back().first + objects.back().count;
   }
 };
+
+// Indices of an input and an output.
+struct State {
+  std::size_t input, output;
+};
+// States in input order. Throws pragma_syntax if a pair names unknown objects, objects of different shapes, or one that
+// another pair names.
+std::vector<State> find_states(Graph const &graph);
+
+// The first few values of a frozen state, and their number.
+std::string value_list(std::vector<double> const &values);
+
+// Severity of a frozen state under a --frozen policy; nullopt if it is only listed.
+std::optional<Severity> frozen_severity(Frozen const &state, std::string const &policy);
+
+std::string frozen_message(std::string const &kernel, Frozen const &state);
 
 // The user's own place rather than one in a library further in; an empty place if unknown.
 Place place_at(Graph const &graph, LocationId location);
@@ -160,11 +206,29 @@ template <class Visit> void for_each_root(Graph const &graph, Visit const &visit
   if (graph.last_effect != no_node) visit(graph.last_effect);
 }
 
-// Per node: whether a root needs it. Iterative; linear time.
+// Marks the operands of the marked nodes as well, and theirs. Iterative; linear time.
+void mark_operands(Graph const &graph, std::vector<char> &marked);
+
+// Per node: whether a root needs it.
 std::vector<char> live_nodes(Graph const &graph);
 
 // Per node: whether compute recomputes it from values that preprocess stored, independent of inputs, since that costs
 // less than a load. All false until the graph is split.
 std::vector<char> recomputed_nodes(Graph const &graph);
+
+// Operands of opaque operations, whose meaning depends on tables or functions of the graph.
+
+// Values of an argument list, first to last.
+std::vector<NodeId> arguments_of(Graph const &graph, NodeId list);
+inline std::size_t function_of(Graph const &graph, Node const &call) {
+  return static_cast<std::size_t>(graph.nodes[call.operand[1]].value());
+}
+// Table number of a lookup; result number of `returned`.
+inline std::size_t table_of(Graph const &graph, Node const &lookup) {
+  return static_cast<std::size_t>(graph.nodes[lookup.operand[0]].value());
+}
+inline std::size_t result_of(Graph const &graph, Node const &returned) {
+  return static_cast<std::size_t>(graph.nodes[returned.operand[1]].value());
+}
 
 } // namespace symreal

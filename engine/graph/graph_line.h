@@ -3,11 +3,11 @@
 
 #include "engine/graph/graph.h"
 #include "engine/support/number.h"
-#include "engine/support/quoted.h"
+#include "engine/support/text.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
-#include <iosfwd>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -122,14 +122,11 @@ private:
   std::size_t next_ = 0;
 };
 
-// Reads the lines `table` and `external` (graph_external_text.cpp), after their first word; lines of one kind have
-// ascending numbers.
-void read_table(Line &line, std::vector<Table> &tables);
-void read_external(Line &line, std::vector<External> &externals);
-void write_tables(std::ostream &out, std::vector<Table> const &tables);
-void write_externals(std::ostream &out, std::vector<External> const &externals);
+// Kinds of values of an external function, as words, in the order of ExternalValue::Kind.
+inline constexpr std::array<std::string_view, 7> kind_names = {"",       "number",  "integer", "input",
+                                                               "output", "updated", "object"};
 
-// Writes the suffix: at "file" line column.
-void write_place(std::ostream &out, Place const &place);
+// Reads the line `external` (graph_reader.cpp), after its first word; these lines have ascending numbers.
+void read_external(Line &line, std::vector<External> &externals);
 
 } // namespace symreal

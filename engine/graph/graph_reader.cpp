@@ -1,7 +1,7 @@
 #include "engine/graph/graph_line.h"
 #include "engine/graph/graph_text.h"
+#include "engine/graph/implicit.h"
 #include "engine/graph/node_table.h"
-#include "engine/graph/states.h"
 #include "engine/graph/validate.h"
 #include "engine/support/number.h"
 
@@ -12,6 +12,30 @@
 namespace symreal {
 
 namespace {
+
+ExternalValue read_value(Line &line) {
+  std::string const &word = line.word("a parameter");
+  auto const known = std::ranges::find(kind_names, word);
+  if (known == kind_names.end()) line.error("'" + word + "' is not a kind of parameter");
+  ExternalValue value{static_cast<ExternalValue::Kind>(known - kind_names.begin()), 1, {}};
+  if (value.kind == ExternalValue::Kind::integer)
+    value.type = line.string("the type of the integer");
+  else if (value.kind != ExternalValue::Kind::number)
+    value.count = line.count("number of doubles");
+  return value;
+}
+
+void read_table(Line &line, std::vector<Table> &tables) {
+  if (line.count("table") != tables.size()) line.error("tables must follow each other from 0 on");
+  Table table{line.string("the table's name"), line.extents(), {}, line.optional_place()};
+  if (table.extents.empty() || table.extents.size() > 2) line.error("a table has one or two extents");
+  std::size_t count = 1;
+  for (std::size_t extent : table.extents) count *= extent;
+  if (count == 0) line.error("a table has at least one element");
+  if (!line.accept("=")) line.error("'=' is missing");
+  for (std::size_t k = 0; k < count; ++k) table.values.push_back(line.number("a value"));
+  tables.push_back(std::move(table));
+}
 
 class Reader {
 public:
@@ -296,6 +320,23 @@ private:
 };
 
 } // namespace
+
+void read_external(Line &line, std::vector<External> &externals) {
+  if (line.count("function") != externals.size()) line.error("functions must follow each other from 0 on");
+  External external{line.string("the function's name"), line.accept("pure"), {}, {}, {}};
+  if (line.accept("returns")) external.returned = read_value(line);
+  if (line.accept("takes"))
+    while (!line.done() && line.peek() != "at" && line.peek() != "derivative")
+      external.parameters.push_back(read_value(line));
+  while (line.accept("derivative")) {
+    bool const is_returned = line.accept("returned");
+    external.derivatives.push_back({line.string("the name of its derivative"), is_returned});
+  }
+  std::string const violation = is_implicit(external) ? "" : find_violation(external);
+  if (!violation.empty()) line.error(violation);
+  external.place = line.optional_place();
+  externals.push_back(std::move(external));
+}
 
 Graph read_graph(std::string_view text, std::string const &file_name) { return Reader().read(text, file_name); }
 

@@ -6,12 +6,13 @@
 
 namespace symreal {
 
+namespace {
+
 void write_place(std::ostream &out, Place const &place) {
   if (!place.file.empty()) out << " at " << in_quotes(place.file) << ' ' << place.line << ' ' << place.column;
 }
 
-static void write_shape(std::ostream &out, std::vector<std::size_t> const &extents,
-                        std::vector<Member> const &members) {
+void write_shape(std::ostream &out, std::vector<std::size_t> const &extents, std::vector<Member> const &members) {
   for (std::size_t extent : extents) out << " [" << extent << ']';
   if (members.empty()) return;
   out << " {";
@@ -22,8 +23,8 @@ static void write_shape(std::ostream &out, std::vector<std::size_t> const &exten
   out << " }";
 }
 
-static void write_objects(std::ostream &out, char const *role, std::vector<Object> const &objects,
-                          std::vector<double> const *values) {
+void write_objects(std::ostream &out, char const *role, std::vector<Object> const &objects,
+                   std::vector<double> const *values) {
   for (Object const &object : objects) {
     out << role << ' ' << in_quotes(object.label);
     write_shape(out, object.extents, object.members);
@@ -37,13 +38,52 @@ static void write_objects(std::ostream &out, char const *role, std::vector<Objec
   }
 }
 
-static void write_location(std::ostream &out, std::size_t id, Location const &location) {
+void write_location(std::ostream &out, std::size_t id, Location const &location) {
   out << "location " << id;
   for (Place const &place : location.places) write_place(out, place);
   if (!location.addresses.empty()) out << " stack";
   for (std::uint64_t address : location.addresses) out << ' ' << address;
   out << '\n';
 }
+
+void write_value(std::ostream &out, ExternalValue const &value) {
+  out << ' ' << kind_names[static_cast<std::size_t>(value.kind)];
+  if (value.kind == ExternalValue::Kind::integer)
+    out << ' ' << in_quotes(value.type);
+  else if (value.kind != ExternalValue::Kind::number)
+    out << ' ' << value.count;
+}
+
+void write_tables(std::ostream &out, std::vector<Table> const &tables) {
+  for (std::size_t k = 0; k < tables.size(); ++k) {
+    out << "table " << k << ' ' << in_quotes(tables[k].name);
+    for (std::size_t extent : tables[k].extents) out << " [" << extent << ']';
+    write_place(out, tables[k].place);
+    out << " =";
+    for (double value : tables[k].values) out << ' ' << shortest(value);
+    out << '\n';
+  }
+}
+
+void write_externals(std::ostream &out, std::vector<External> const &externals) {
+  for (std::size_t k = 0; k < externals.size(); ++k) {
+    External const &external = externals[k];
+    out << "external " << k << ' ' << in_quotes(external.name);
+    if (external.pure) out << " pure";
+    if (external.returned.kind != ExternalValue::Kind::none) {
+      out << " returns";
+      write_value(out, external.returned);
+    }
+    if (!external.parameters.empty()) out << " takes";
+    for (ExternalValue const &parameter : external.parameters) write_value(out, parameter);
+    for (auto const &[name, is_returned] : external.derivatives)
+      out << (is_returned ? " derivative returned " : " derivative ") << in_quotes(name);
+    write_place(out, external.place);
+    out << '\n';
+  }
+}
+
+} // namespace
 
 std::vector<NodeId> line_numbers(Graph const &graph) {
   std::vector<NodeId> number(graph.nodes.size(), no_node);

@@ -1,6 +1,6 @@
 #include "engine/graph/implicit.h"
 
-#include "engine/graph/opaque.h"
+#include "engine/graph/graph.h"
 
 #include <algorithm>
 

@@ -52,7 +52,7 @@ std::string NameRules::spelled(std::string_view name) const {
   return text;
 }
 
-static bool is_identifier(std::string_view name) {
+bool is_identifier(std::string_view name) {
   auto const is_part = [](unsigned char c) { return c < 0x80 && (std::isalnum(c) || c == '_'); };
   return !name.empty() && !std::isdigit(static_cast<unsigned char>(name[0])) && std::ranges::all_of(name, is_part);
 }

@@ -26,6 +26,9 @@ struct NameRules {
 // Keywords of C99 and C++, which share the generated headers.
 extern NameRules const c_names;
 
+// Whether the text has letters, digits and underscores only, and begins with no digit.
+bool is_identifier(std::string_view name);
+
 // A label without array sections, with '_' for other characters, distinct from keywords: "c[0:3][0]" becomes c, "arm.q"
 // becomes arm_q.
 std::string identifier(std::string const &label, NameRules const &rules = c_names);

@@ -2,23 +2,12 @@
 
 namespace symreal {
 
-// Per node: whether a value that preprocess stores needs it.
-static std::vector<char> preprocess_nodes(Graph const &graph) {
-  std::vector<char> needed(graph.nodes.size(), 0);
-  for (NodeId id : graph.precomputed) needed[id] = 1;
-  for (std::size_t id = graph.nodes.size(); id-- > 0;) {
-    Node const &node = graph.nodes[id];
-    if (!needed[id] || is_leaf(node.op)) continue;
-    for (NodeId operand : node.operand)
-      if (operand != no_node) needed[operand] = 1;
-  }
-  return needed;
-}
-
 Statistics statistics(Graph const &graph) {
   Statistics result;
-  std::vector<char> live = live_nodes(graph);
-  std::vector<char> const recomputed = recomputed_nodes(graph), before = preprocess_nodes(graph);
+  std::vector<char> const live = live_nodes(graph), recomputed = recomputed_nodes(graph);
+  std::vector<char> before(graph.nodes.size(), 0); // per node: whether a value that preprocess stores needs it
+  for (NodeId id : graph.precomputed) before[id] = 1;
+  mark_operands(graph, before);
   bool const split = !graph.precomputed.empty();
   for (std::size_t id = 0; id < graph.nodes.size(); ++id) {
     Node const &node = graph.nodes[id];

@@ -1,11 +1,11 @@
 #include "engine/graph/validate.h"
 
 #include "engine/graph/implicit.h"
-#include "engine/graph/opaque.h"
+#include "engine/graph/names.h"
 
 #include <algorithm>
 #include <array>
-#include <cctype>
+#include <cmath>
 #include <limits>
 
 namespace symreal {
@@ -26,6 +26,17 @@ std::string type_violation(ExternalValue const &value) {
   return {};
 }
 
+// Whether C accepts the name: letters, digits and underscores, other than a keyword.
+bool is_c_identifier(std::string_view name) {
+  static constexpr auto keywords = std::to_array<std::string_view>(
+      {"_Bool",  "_Complex", "_Imaginary", "auto",     "break",  "case",     "char",   "const",  "continue", "default",
+       "do",     "double",   "else",       "enum",     "extern", "float",    "for",    "goto",   "if",       "inline",
+       "int",    "long",     "register",   "restrict", "return", "short",    "signed", "sizeof", "static",   "struct",
+       "switch", "typedef",  "union",      "unsigned", "void",   "volatile", "while"});
+  static_assert(std::ranges::is_sorted(keywords));
+  return is_identifier(name) && !std::ranges::binary_search(keywords, name);
+}
+
 bool is_of_numbers(External const &external, unsigned arity) {
   ExternalValue const number{Kind::number};
   return external.returned == number && external.parameters == std::vector(arity, number);
@@ -39,6 +50,56 @@ bool has_prototype_of(External const &a, External const &b) {
     return are_written || (x.kind == y.kind && x.type == y.type && (x.kind != Kind::object || x.count == y.count));
   };
   return is_alike(a.returned, b.returned) && std::ranges::equal(a.parameters, b.parameters, is_alike);
+}
+
+// Functions of <math.h> that are no operations, with their types: the result, then the parameters. n: double, i: int,
+// l: long, L: long long, N: pointer to a double that is written, ?: a type that external functions cannot have.
+struct MathFunction {
+  std::string_view name, types;
+};
+constexpr auto math_functions = std::to_array<MathFunction>(
+    {{"drem", "nnn"},   {"finite", "in"},      {"frexp", "nn?"},      {"gamma", "nn"},  {"ilogb", "in"},
+     {"j0", "nn"},      {"j1", "nn"},          {"jn", "nin"},         {"ldexp", "nni"}, {"lgamma_r", "nn?"},
+     {"llrint", "Ln"},  {"llround", "Ln"},     {"lrint", "ln"},       {"lround", "ln"}, {"modf", "nnN"},
+     {"nan", "n?"},     {"remquo", "nnn?"},    {"nexttoward", "nn?"}, {"scalb", "nnn"}, {"scalbln", "nnl"},
+     {"scalbn", "nni"}, {"significand", "nn"}, {"y0", "nn"},          {"y1", "nn"},     {"yn", "nin"}});
+
+bool is_of_type(ExternalValue const &value, char type) {
+  switch (type) {
+  case 'n': return value.kind == Kind::number;
+  case 'i': return value.kind == Kind::integer && value.type == "int";
+  case 'l': return value.kind == Kind::integer && value.type == "long";
+  case 'L': return value.kind == Kind::integer && value.type == "long long";
+  case 'N': return value.is_pointer() && value.kind != Kind::input;
+  default: return false;
+  }
+}
+
+// Generated code includes <math.h>, so that a function of its name must have its prototype.
+std::string math_violation(External const &external) {
+  std::string_view const name = external.name;
+  auto const is_narrow_or_wide = [&](std::string_view base) {
+    return name.size() == base.size() + 1 && name.starts_with(base) && (name.back() == 'f' || name.back() == 'l');
+  };
+  auto const of_math = [&](std::string const &what) {
+    return "'" + external.name + "' is a function of <math.h>, " + what;
+  };
+  for (OperationInfo const &operation : operations()) {
+    if (operation.form != Form::call) continue;
+    if (operation.c == name && !is_of_numbers(external, operation.arity))
+      return of_math("which takes " + std::to_string(operation.arity) +
+                     (operation.arity == 1 ? " number" : " numbers") + " and returns one");
+    if (is_narrow_or_wide(operation.c)) return of_math("and its numbers are not of type double");
+  }
+  for (MathFunction const &function : math_functions) {
+    if (is_narrow_or_wide(function.name)) return of_math("and its numbers are not of type double");
+    if (function.name != name) continue;
+    bool const is_alike = external.parameters.size() + 1 == function.types.size() &&
+                          is_of_type(external.returned, function.types[0]) &&
+                          std::ranges::equal(external.parameters, function.types.substr(1), is_of_type);
+    if (!is_alike) return of_math("with other types");
+  }
+  return {};
 }
 
 std::string check_objects(std::vector<Object> const &objects) {
@@ -87,6 +148,96 @@ std::string check_matrix(DerivativeMatrix const &matrix, std::vector<Object> con
 
 Attribute attribute_of_leaf(Op op) {
   return op == Op::constant ? Attribute::constant : op == Op::parameter ? Attribute::parametric : Attribute::variable;
+}
+
+// Whether the node is a constant index below `end`.
+bool is_number_below(Graph const &graph, NodeId id, std::size_t end) {
+  Node const &node = graph.nodes[id];
+  if (!node.is_constant()) return false;
+  double const value = node.value();
+  return value >= 0 && value < static_cast<double>(end) && value == std::floor(value);
+}
+
+bool is_structure(Graph const &graph, NodeId id) {
+  Op const op = graph.nodes[id].op;
+  return !is_leaf(op) && info(op).has(flag::STRUCTURE);
+}
+
+bool is_list(Graph const &graph, NodeId id) {
+  Node const &node = graph.nodes[id];
+  return node.op == Op::argument || (node.is_constant() && node.value() == 0);
+}
+
+char const *lookup_violation(Graph const &graph, Node const &node) {
+  if (!is_number_below(graph, node.operand[0], graph.tables.size())) return "reads a table that does not exist";
+  std::size_t const indices = node.op == Op::lookup ? 1 : 2;
+  return graph.tables[table_of(graph, node)].extents.size() == indices ? nullptr
+                                                                       : "has not as many indices as its table";
+}
+
+// Whether constant arguments are integers where the function takes integers.
+bool fit(Graph const &graph, External const &external, std::vector<NodeId> const &arguments) {
+  std::size_t next = 0;
+  for (ExternalValue const &parameter : external.parameters) {
+    if (!parameter.is_given()) continue;
+    Node const &argument = graph.nodes[arguments[next]];
+    if (parameter.kind == ExternalValue::Kind::integer && argument.is_constant()) {
+      double const value = argument.value();
+      if (value != std::trunc(value) || !(std::fabs(value) < 0x1p127)) return false;
+    }
+    next += parameter.count;
+  }
+  return true;
+}
+
+char const *call_violation(Graph const &graph, Node const &node) {
+  if (!is_number_below(graph, node.operand[1], graph.externals.size())) return "calls a function that does not exist";
+  if (!is_list(graph, node.operand[0])) return "has no list of arguments";
+  External const &external = graph.externals[function_of(graph, node)];
+  if (external.pure != (node.op == Op::call)) return "is not the kind of call that its function needs";
+  std::vector<NodeId> const arguments = arguments_of(graph, node.operand[0]);
+  if (arguments.size() != external.argument_count()) return "has not as many arguments as its function takes";
+  if (!fit(graph, external, arguments)) return "hands over a number that its function's integer cannot be";
+  if (node.op == Op::call) return nullptr;
+  Node const &before = graph.nodes[node.operand[2]];
+  bool const is_first = before.is_constant() && before.value() == 0;
+  return is_first || before.op == Op::call_in_order ? nullptr : "follows something that is no call in order";
+}
+
+char const *returned_violation(Graph const &graph, Node const &node) {
+  Node const &call = graph.nodes[node.operand[0]];
+  if (!is_call(call.op)) return "is a result of something that is no call";
+  std::size_t const results = graph.externals[function_of(graph, call)].result_count();
+  return is_number_below(graph, node.operand[1], results) ? nullptr : "is a result that its function does not have";
+}
+
+// Description of a violated invariant of an opaque node, or nullptr. Argument lists and calls may only be operands of
+// the operations that they belong to.
+char const *find_opaque_violation(Graph const &graph, NodeId id) {
+  Node const &node = graph.nodes[id];
+  char const *what = nullptr;
+  std::size_t first_value = 0; // index of the first operand that must be a number
+  switch (node.op) {
+  case Op::lookup:
+  case Op::lookup2: what = lookup_violation(graph, node); break;
+  case Op::argument:
+    if (!is_list(graph, node.operand[0])) what = "extends something that is no list of arguments";
+    first_value = 1;
+    break;
+  case Op::call:
+  case Op::call_in_order:
+    what = call_violation(graph, node);
+    first_value = arity(node.op);
+    break;
+  case Op::returned:
+    what = returned_violation(graph, node);
+    first_value = arity(node.op);
+    break;
+  default: break;
+  }
+  for (std::size_t i = first_value; i < arity(node.op); ++i)
+    if (is_structure(graph, node.operand[i])) what = "computes with something that is no number";
+  return what;
 }
 
 // Description of the violation, or nullptr.
@@ -196,18 +347,6 @@ bool is_range(Range const &range) {
   return range.low <= range.high && range.low < infinity && range.high > -infinity;
 }
 
-bool is_c_identifier(std::string_view name) {
-  static constexpr auto keywords = std::to_array<std::string_view>(
-      {"_Bool",  "_Complex", "_Imaginary", "auto",     "break",  "case",     "char",   "const",  "continue", "default",
-       "do",     "double",   "else",       "enum",     "extern", "float",    "for",    "goto",   "if",       "inline",
-       "int",    "long",     "register",   "restrict", "return", "short",    "signed", "sizeof", "static",   "struct",
-       "switch", "typedef",  "union",      "unsigned", "void",   "volatile", "while"});
-  static_assert(std::ranges::is_sorted(keywords));
-  auto const is_part = [](unsigned char c) { return c < 0x80 && (std::isalnum(c) || c == '_'); };
-  if (name.empty() || std::isdigit(static_cast<unsigned char>(name[0]))) return false;
-  return std::ranges::all_of(name, is_part) && !std::ranges::binary_search(keywords, name);
-}
-
 std::string find_violation(External const &external) {
   std::vector<std::string_view> names = {external.name};
   for (DerivativeFunction const &derivative : external.derivatives) names.push_back(derivative.name);
@@ -218,11 +357,7 @@ std::string find_violation(External const &external) {
   if (std::string const violation = type_violation(external.returned); !violation.empty()) return violation;
   for (ExternalValue const &parameter : external.parameters)
     if (std::string const violation = type_violation(parameter); !violation.empty()) return violation;
-  for (OperationInfo const &operation : operations())
-    if (operation.form == Form::call && operation.c == external.name && !is_of_numbers(external, operation.arity))
-      return "'" + external.name + "' is a function of <math.h>, which takes " + std::to_string(operation.arity) +
-             (operation.arity == 1 ? " number" : " numbers") + " and returns one";
-  return {};
+  return math_violation(external);
 }
 
 std::string find_violation(Graph const &graph, NodeId *node) {

@@ -8,9 +8,6 @@ namespace symreal {
 // Whether the range is nonempty.
 bool is_range(Range const &range);
 
-// Whether C accepts the name: letters, digits and underscores, other than a keyword.
-bool is_c_identifier(std::string_view name);
-
 // Reason why C cannot declare the function: an invalid identifier, an integer type unknown to C, or a function of
 // <math.h> with another signature. Empty if it can.
 std::string find_violation(External const &external);

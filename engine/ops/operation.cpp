@@ -45,4 +45,14 @@ double evaluate(Op op, double x, double y, double z) {
   internal_failure("a leaf has no evaluation", __FILE__, __LINE__);
 }
 
+CostModel const &usual_costs() {
+  static CostModel const model = [] {
+    CostModel made;
+    for (OperationInfo const &row : operations()) made.work[static_cast<std::size_t>(row.op)] = row.cost;
+    made.latency = made.work;
+    return made;
+  }();
+  return model;
+}
+
 } // namespace symreal

@@ -1,5 +1,5 @@
-// Descriptions and evaluation of the operations, derived from their table (include/symreal/operations.def). The enum is
-// in include/symreal/op.h, since symbolic programs need it.
+// Descriptions, evaluation and costs of the operations, derived from their table (include/symreal/operations.def). The
+// enum is in include/symreal/op.h, since symbolic programs need it.
 #pragma once
 
 #include "engine/diagnostics/diagnostic.h"
@@ -72,5 +72,57 @@ std::optional<Op> find_operation(std::string_view name);
 // Reference semantics. Unused operands are ignored. Truth values are 0 and 1. OPAQUE operations are excluded:
 // graph/evaluate.h evaluates them.
 double evaluate(Op op, double x, double y, double z);
+
+// Operations whose result is one of the operands, up to its sign.
+inline bool hands_on(Op op) {
+  switch (op) {
+  case Op::select:
+  case Op::fmin:
+  case Op::fmax:
+  case Op::neg:
+  case Op::abs:
+  case Op::copysign: return true;
+  default: return false;
+  }
+}
+
+// Order relations of two numbers, as sets. A comparison holds for a subset of them.
+namespace relation {
+enum Of : unsigned { less = 1, equal = 2, greater = 4, unordered = 8, any = 15 }; // unordered: one of them is NaN
+
+// Relations for which the comparison holds; the empty set if `op` is not a comparison of numbers.
+inline unsigned held_by(Op op) {
+  switch (op) {
+  case Op::lt: return less;
+  case Op::le: return less | equal;
+  case Op::gt: return greater;
+  case Op::ge: return greater | equal;
+  case Op::eq: return equal;
+  case Op::ne: return less | greater | unordered;
+  default: return 0;
+  }
+}
+
+// The relations with exchanged operands.
+inline unsigned mirrored(unsigned set) {
+  return (set & (equal | unordered)) | (set & less ? greater : 0u) | (set & greater ? less : 0u);
+}
+} // namespace relation
+
+// Cost model of operations, which selects the cheaper of two ways to compute a value. Costs in additions; leaves are
+// free.
+struct CostModel {
+  using Costs = std::array<double, static_cast<std::size_t>(Op::count)>;
+
+  Costs work{};    // throughput cost: each of many independent operations
+  Costs latency{}; // from the operands to the result
+  double load = 1; // work of reading a number that preprocess stored
+
+  double operator[](Op op) const { return work[static_cast<std::size_t>(op)]; }
+  double latency_of(Op op) const { return latency[static_cast<std::size_t>(op)]; }
+};
+
+// Costs from column `cost` of the operation table; a load costs as much as an addition.
+CostModel const &usual_costs();
 
 } // namespace symreal

@@ -1,4 +1,4 @@
-// Reading and writing whole files.
+// Reading, writing and comparing whole files.
 #pragma once
 
 #include <cstddef>
@@ -28,5 +28,9 @@ bool write_whole(int descriptor, void const *begin, std::size_t size);
 // Writes to a temporary name in the same directory, then renames: a reader sees the old file or the new one. Leaves a
 // file that already holds `text` untouched, so that its time stamp does not cause a rebuild. Throws unwritable_output.
 void write_if_changed(std::string const &path, std::string const &text);
+
+// Output of `diff -u`, with the file name below a/ and b/; empty if the texts are equal. Throws unreadable_file if the
+// program diff cannot run.
+std::string unified_diff(std::string const &file, std::string const &before, std::string const &after);
 
 } // namespace symreal

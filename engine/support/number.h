@@ -1,10 +1,14 @@
-// Conversion of numbers to text that reads back to the same bits.
+// Conversion of numbers to text that reads back to the same bits, and comparison of bits.
 #pragma once
 
+#include <algorithm>
+#include <bit>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace symreal {
 
@@ -19,5 +23,13 @@ std::optional<double> parse_number(std::string_view text);
 
 // Appends the decimal text of a count to `text`.
 void append_number(std::string &text, std::size_t number);
+
+// Bitwise comparison of numbers: 0 differs from -0, and a NaN equals itself.
+
+inline bool same_bits(double a, double b) { return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b); }
+
+inline bool all_same_bits(std::vector<double> const &a, std::vector<double> const &b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), same_bits);
+}
 
 } // namespace symreal

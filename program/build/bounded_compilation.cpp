@@ -41,11 +41,12 @@ std::string told(std::string const &source, double seconds, Outcome const &origi
 
 std::string told_beyond(std::string const &source, Outcome const &symbolic, double seconds, std::size_t memory,
                         Outcome const &original) {
-  return fmt::format("{}: without optimisation, too, the compiler takes {:.0f} s and {:.0f} MB in symbolic mode, and "
-                     "all that was tried {:.0f} s, where the original at -O1 takes {:.1f} s and {:.0f} MB; --via-ir "
-                     "records the instructions of the original instead",
-                     source, symbolic.processor_seconds, static_cast<double>(memory) / megabyte, seconds,
-                     original.processor_seconds, static_cast<double>(original.most_memory) / megabyte);
+  return fmt::format(
+      "{}: without optimisation, too, the compiler takes {:.0f} s and {:.0f} MB in symbolic mode, and "
+      "all that was tried {:.0f} s, where the original at -O1 takes {:.1f} s and {:.0f} MB; --record=instructions "
+      "records the instructions of the original instead",
+      source, symbolic.processor_seconds, static_cast<double>(memory) / megabyte, seconds, original.processor_seconds,
+      static_cast<double>(original.most_memory) / megabyte);
 }
 
 } // namespace

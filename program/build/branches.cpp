@@ -147,7 +147,7 @@ public:
     CounterMappingContext const context(record.Expressions, counts);
     CounterMappingRegion const &whole = record.MappingRegions.front();
     if (value(context, whole.Count) == 0) return;
-    Function &function =
+    FunctionInstance &function =
         functions_[{record.Filenames[whole.FileID].str(), {whole.LineStart, whole.ColumnStart}}].emplace_back();
     function.name = llvm::demangle(linker_name(record.FunctionName));
     for (CounterMappingRegion const &region : record.MappingRegions) {
@@ -167,7 +167,7 @@ public:
     std::vector<BranchCount> all,
         once; // one branch may occur in several sources, or in several uses of a nested macro
     for (auto &[place, instances] : functions_)
-      for (Function const &function : instances)
+      for (FunctionInstance const &function : instances)
         for (BranchCount branch : function.branches) {
           if (instances.size() > 1) branch.function = function.name;
           all.push_back(branch);
@@ -177,7 +177,7 @@ public:
   }
 
 private:
-  struct Function {
+  struct FunctionInstance {
     std::string name;
     std::vector<BranchCount> branches;
   };
@@ -240,7 +240,7 @@ private:
   Lines const lines_;
   std::string const innermost_;
   std::uint64_t const samples_;
-  std::map<std::pair<std::string, std::pair<unsigned, unsigned>>, std::vector<Function>> functions_; // by place
+  std::map<std::pair<std::string, std::pair<unsigned, unsigned>>, std::vector<FunctionInstance>> functions_; // by place
 };
 
 } // namespace

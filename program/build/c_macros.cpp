@@ -3,7 +3,7 @@
 #include "engine/support/installation.h"
 #include "engine/support/parallel.h"
 #include "program/build/directives.h"
-#include "rewrite/edit/compose.h"
+#include "rewrite/text/compose.h"
 
 #include <algorithm>
 #include <charconv>
@@ -265,8 +265,8 @@ private:
   Answers ask_in_c(rewrite::Compilation const &source) {
     Words words = c_compiler_;
     Words const flags = copy_->search_flags(c_flags(source.flags), source.directory);
-    words.insert(words.end(), flags.begin(), flags.end());
-    words.insert(words.end(), {"-x", "c"});
+    append(words, flags);
+    append(words, {"-x", "c"});
     return read_answers(preprocessed(std::move(words), source), questions_);
   }
 
@@ -274,11 +274,11 @@ private:
     Words words = compiler_;
     rewrite::Compilation const &one = sources_[source];
     Words const adapted = copy_->search_flags(variant_flags(one.flags, Variant::symbolic), one.directory);
-    words.insert(words.end(), adapted.begin(), adapted.end());
-    words.insert(words.end(), {"-isystem", runtime_include()});
-    for (Words const &more : {rewrite::type_name_flags(type_name_), flags(source, apart)})
-      words.insert(words.end(), more.begin(), more.end());
-    words.insert(words.end(), {"-x", "c++"});
+    append(words, adapted);
+    append(words, {"-isystem", runtime_include()});
+    append(words, rewrite::type_name_flags(type_name_));
+    append(words, flags(source, apart));
+    append(words, {"-x", "c++"});
     return read_answers(preprocessed(std::move(words), one), questions_);
   }
 

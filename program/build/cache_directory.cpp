@@ -29,7 +29,7 @@ void mark_used(std::string const &entry) { utimensat(AT_FDCWD, entry.c_str(), nu
 
 // Hash at the head of an entry. It covers the key, since an entry under another key is as wrong as other content.
 std::string hash_of(std::string_view key, std::string_view text) {
-  return content_id(std::string(key) + '\0' + std::string(text));
+  return rewrite::content_id(std::string(key) + '\0' + std::string(text));
 }
 
 // Precompiled headers take tens of megabytes, so files are read piecewise into one buffer.
@@ -65,8 +65,8 @@ template <class Use> Read read_entry(std::string const &path, Use use) {
 // Hash of a file's contents.
 class FileId {
 public:
-  void add(std::string_view piece) { of_pieces_ += content_id(piece); }
-  std::string result() const { return content_id(of_pieces_); }
+  void add(std::string_view piece) { of_pieces_ += rewrite::content_id(piece); }
+  std::string result() const { return rewrite::content_id(of_pieces_); }
 
 private:
   std::string of_pieces_;

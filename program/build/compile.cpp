@@ -5,8 +5,8 @@
 #include "engine/support/parallel.h"
 #include "engine/support/progress.h"
 #include "program/build/bounded_compilation.h"
-#include "program/build/compiler_errors.h"
-#include "program/build/linking.h"
+#include "program/build/c_macros.h"
+#include "program/build/compiler_messages.h"
 #include "program/build/read_files.h"
 #include "program/build/runtime_header.h"
 #include "rewrite/request/driver_options.h"
@@ -16,6 +16,7 @@
 #include <fmt/format.h>
 #include <llvm/Support/Program.h>
 #include <mutex>
+#include <optional>
 #include <set>
 #include <thread>
 
@@ -42,95 +43,17 @@ std::string_view name(Variant variant) {
 
 using Words = std::vector<std::string>;
 
-void append(Words &words, Words const &more) { words.insert(words.end(), more.begin(), more.end()); }
-
-// Flags of the reference build (docs/reference/floating-point.md), with debug information: lines and inlined calls.
-Words const reference_flags = {
-    "-O1",          "-g1",           "-ffp-contract=off", "-fno-tree-vectorize", "-fno-tree-slp-vectorize",
-    "-fno-builtin", "-fno-fast-math"};
-Words const defines = {"-DEIGEN_DONT_VECTORIZE"};
-
-void append_reference(Words &words) {
-  append(words, reference_flags);
-  append(words, defines);
-}
-
-// Leaks are found because an operation on a node raises FE_INVALID: none may execute speculatively. gcc guarantees that
-// by default, clang with this flag.
-constexpr char const *no_speculation = "-ftrapping-math";
-
 // Counters must be in memory whenever the kernel begins or ends, and each source function must exist in the program.
 Words const coverage_flags = {"-fprofile-instr-generate", "-fcoverage-mapping", "-mllvm", "-do-counter-promotion=false",
                               "-fno-inline"};
 
 } // namespace
 
-bool is_c(rewrite::Compilation const &source) {
-  bool c = source.source.ends_with(".c");
-  for (DriverOption const &option : rewrite::driver_options(source.flags))
-    if (option.about == About::language) c = option.value == "c";
-  return c;
-}
-
-bool brings_allocator(Words const &words) {
-  return std::ranges::any_of(rewrite::driver_options(words),
-                             [](DriverOption const &option) { return option.about == About::sanitizers; });
-}
-
 Command compiler_run(Words words, std::string const &directory) {
   return {.arguments = std::move(words), .directory = directory, .environment = {"LC_ALL=C", "GCC_COLORS="}};
 }
 
-// The last standard among the flags; empty if none is given.
-static std::string named_standard(Words const &flags) {
-  std::string standard;
-  for (DriverOption const &option : rewrite::driver_options(flags))
-    if (option.about == About::standard) standard = option.value.empty() ? "c90" : option.value; // -ansi
-  return standard;
-}
-
-static bool ends_with_one_of(std::string_view standard, std::initializer_list<std::string_view> years) {
-  return std::ranges::any_of(years, [standard](std::string_view year) { return standard.ends_with(year); });
-}
-
-static bool is_cxx20(std::string_view standard) {
-  return ends_with_one_of(standard, {"++20", "++2a", "++23", "++2b", "++26", "++2c"});
-}
-
-Words language_flags(Words const &flags, bool is_c, std::string const &compiler) {
-  Words words;
-  std::string const standard = named_standard(flags);
-  if (is_c || !is_cxx20(standard)) words.emplace_back("-fno-char8_t");
-  if (!is_c && !is_cxx20(standard)) words.emplace_back("-DSYMREAL_BEFORE_CXX20"); // for allocator.h
-  if (compiler.find("clang") != compiler.npos) return words;
-  constexpr char const *arguments_first = "-DSYMREAL_ARGUMENTS_FIRST"; // evaluated before the callee (text.h)
-  if (is_c) append(words, {"-fno-strong-eval-order", arguments_first});
-  if (is_c) return words;
-  if (ends_with_one_of(standard, {"++98", "++03", "++0x", "++11", "++1y", "++14"}))
-    append(words, {"-fstrong-eval-order=some", arguments_first});
-  return words;
-}
-
-Words const &reference_defines() { return defines; }
-
-Words variant_flags(Words const &flags, Variant variant) {
-  Words words = adapted_flags(flags);
-  append_reference(words);
-  if (variant == Variant::symbolic) words.emplace_back(no_speculation);
-  words.push_back("-w");
-  words.emplace_back(variant == Variant::symbolic ? "-DMBD_SYMBOLIC" : "-DMBD_REPLAY");
-  return words;
-}
-
-Words c_flags(Words const &flags) {
-  Words words = original_flags(flags, Variant::original);
-  append_reference(words);
-  return words;
-}
-
 namespace {
-
-bool is_before_c99(Words const &flags) { return ends_with_one_of(named_standard(flags), {"89", "90", "199409"}); }
 
 // Puts each function and variable into its own section, so that the linker can drop it.
 void cut_up(BuildRequest const &request, Words &words) {
@@ -267,7 +190,7 @@ std::string bounded_key(Command const &command, std::string const &workspace) {
   std::string text = "bounded " + read_file(command.arguments[position_after(command.arguments, "-c")]);
   for (std::string const &word : command.arguments)
     if (word.find(workspace) == word.npos) text += '\0' + word;
-  return content_id(text);
+  return rewrite::content_id(text);
 }
 
 // Notes a compiler, or a wrapper around one, as read.
@@ -358,6 +281,29 @@ std::vector<std::string> build_variants(BuildRequest const &request, std::span<V
   for (std::size_t i = 0; i < linked.size(); ++i)
     if (!linked[i].outcome.success()) throw DiagnosticError(linker_failure(links[i].arguments, linked[i], rewritten));
   return executables;
+}
+
+std::vector<Diagnostic> symbolic_check(BuildRequest request, rewrite::Result rewritten) {
+  for (rewrite::File &file : rewritten.files) file.compiled_name = file.display_path;
+  Workspace const workspace(false);
+  request.type_name = rewritten.type_name;
+  CSources c =
+      as_in_c(rewritten, request.sources, {request.compiler}, {request.c_compiler}, request.type_name, workspace);
+  request.source_flags = std::move(c.flags);
+  Overlay const overlay(rewritten, workspace.directory("overlay"), std::move(c.sources));
+
+  std::vector<std::optional<Diagnostic>> found(request.sources.size());
+  in_parallel(found.size(), std::thread::hardware_concurrency(), [&](std::size_t k) {
+    rewrite::Compilation const &source = request.sources[k];
+    std::vector<std::string> words = rewritten_compilation(request, Variant::symbolic, overlay, source, "/dev/null");
+    std::replace(words.begin(), words.end(), std::string("-c"), std::string("-fsyntax-only"));
+    Captured const result = capture(compiler_run(words, source.directory));
+    if (!result.outcome.success()) found[k] = compiler_failure(words, result, overlay);
+  });
+  std::vector<Diagnostic> diagnostics;
+  for (std::optional<Diagnostic> &one : found)
+    if (one) diagnostics.push_back(std::move(*one));
+  return diagnostics;
 }
 
 } // namespace symreal::program

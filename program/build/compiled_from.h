@@ -1,4 +1,7 @@
 // Inputs of a compilation: the files that it read, and the places where it looked for a file in vain.
+//
+// A compiler lists the files that it read, but not the places where a lookup failed; a header that appears there later
+// would be read instead. So all inclusions in each text are collected, compiled or not: an overapproximation.
 #pragma once
 
 #include "program/build/process.h"
@@ -7,6 +10,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace symreal::program {
@@ -22,9 +26,6 @@ private:
   std::map<std::string, std::string> ids_;
   std::map<std::string, bool> exist_;
 };
-
-// Identifier of a text's contents: a hash.
-std::string content_id(std::string_view text);
 
 // Inputs of one compilation. Paths below the run's workspace begin with "@" instead.
 struct CompiledFrom {
@@ -43,5 +44,29 @@ std::optional<CompiledFrom> compiled_from(Command const &compilation, std::vecto
 std::string to_bytes(CompiledFrom from, std::string object);
 // Nullopt if the bytes are malformed.
 std::optional<std::pair<CompiledFrom, std::string>> compiled_from_bytes(std::string_view bytes);
+
+struct Inclusion {
+  std::string name;
+  bool quoted; // "name" rather than <name>: looked for beside the text first
+  auto operator<=>(Inclusion const &) const = default;
+};
+
+struct Inclusions {
+  std::vector<Inclusion> names;
+  std::vector<std::string> macros; // macros of `#include MACRO` directives
+};
+
+// Names in #include and __has_include, without duplicates. Nullopt if one is spelled otherwise or the text depends on
+// the date or time.
+std::optional<Inclusions> inclusions_of(std::string_view text);
+
+// Names in __has_include and __has_include_next alone; other spellings are skipped.
+std::vector<Inclusion> questions_of(std::string_view text);
+
+// Does the text define the macro?
+bool defines(std::string_view text, std::string_view macro);
+
+// Search directories of gcc or clang in order, parsed from their output under -v; includes nonexistent ones.
+std::vector<std::string> searched_directories(std::string_view messages);
 
 } // namespace symreal::program

@@ -2,7 +2,6 @@
 
 #include "engine/support/files.h"
 #include "engine/support/installation.h"
-#include "engine/support/version.h"
 #include "program/build/make_rule.h"
 #include "program/build/read_files.h"
 
@@ -14,6 +13,7 @@
 #include <filesystem>
 #include <fmt/format.h>
 #include <optional>
+#include <sstream>
 #include <sys/stat.h>
 #include <utility>
 
@@ -30,6 +30,18 @@ bool reads_more(std::string_view word) {
   return false;
 }
 
+// Path, size and time of a file, or of a program looked up in PATH.
+std::string file_stamp(std::string const &path) {
+  struct stat status = {};
+  if (stat(path.c_str(), &status) != 0) return path;
+  return fmt::format("{}.{} {} {}", status.st_mtim.tv_sec, status.st_mtim.tv_nsec, status.st_size, path);
+}
+
+std::string program_stamp(std::string const &name) {
+  llvm::ErrorOr<std::string> const path = llvm::sys::findProgramByName(name);
+  return file_stamp(path ? *path : name);
+}
+
 // Hash accumulator that leaves out the path of the workspace.
 class Key {
 public:
@@ -40,7 +52,7 @@ public:
     all_ += text;
     all_ += '\0';
   }
-  std::string result() const { return content_id(all_); }
+  std::string result() const { return rewrite::content_id(all_); }
 
 private:
   std::string_view workspace_;
@@ -181,6 +193,13 @@ Captured compiled_with_notes(Command compilation, std::string const &object, std
   return result;
 }
 
+constexpr std::uintmax_t most_kept = std::uintmax_t{8} << 20; // bytes of a cached program
+
+bool has_gold() {
+  static bool const has = bool(llvm::sys::findProgramByName("ld.gold"));
+  return has;
+}
+
 } // namespace
 
 std::optional<ObjectCache::Kept> ObjectCache::kept(std::optional<std::string> const &bytes,
@@ -288,20 +307,68 @@ std::optional<ObjectCache::Kept> ObjectCache::make(Command const &compilation, s
   return kept(directory_->find(search.by_words), workspace, files);
 }
 
-std::string file_stamp(std::string const &path) {
-  struct stat status = {};
-  if (stat(path.c_str(), &status) != 0) return path;
-  return fmt::format("{}.{} {} {}", status.st_mtim.tv_sec, status.st_mtim.tv_nsec, status.st_size, path);
-}
-
-std::string program_stamp(std::string const &name) {
-  llvm::ErrorOr<std::string> const path = llvm::sys::findProgramByName(name);
-  return file_stamp(path ? *path : name);
-}
-
 std::size_t position_after(Words const &words, std::string_view option) {
   auto const found = std::find(words.begin(), words.end(), option);
   return found == words.end() || found + 1 == words.end() ? 0 : static_cast<std::size_t>(found - words.begin()) + 1;
+}
+
+std::string Linking::key(Command const &command) {
+  std::string key = fmt::format("linked {}\n{}\n", version, program_stamp("ld.gold"));
+  for (char const *name : {"COMPILER_PATH", "GCC_EXEC_PREFIX", "LIBRARY_PATH", "LD_RUN_PATH", "CCC_OVERRIDE_OPTIONS"})
+    if (char const *value = std::getenv(name)) key += fmt::format("{}={}\n", name, value);
+  key += program_stamp(command.arguments.front()) + "\n";
+  for (std::string const &word : command.arguments)
+    if (!word.starts_with(workspace_))
+      key += (fs::is_regular_file(word) ? file_stamp(word) : word) + "\n";
+    else if (fs::is_regular_file(word))
+      key += files_.content_id(word) + "\n";
+  return rewrite::content_id(key);
+}
+
+// An entry holds the program's content id and the stamps of the linker's further inputs.
+bool Linking::take(std::string const &key, std::string const &program) {
+  std::optional<std::string> const kept = directory_.find(key);
+  if (!kept) return false;
+  std::istringstream lines(*kept);
+  std::string id, one;
+  std::getline(lines, id);
+  while (std::getline(lines, one)) {
+    std::size_t const path = one.find(' ', one.find(' ') + 1);
+    if (path == one.npos || file_stamp(one.substr(path + 1)) != one) return false;
+  }
+  if (!directory_.take_file(id, program)) return false;
+  std::error_code error;
+  fs::permissions(program, fs::perms::owner_all, error);
+  return !error;
+}
+
+void Linking::keep(std::string const &key, std::string const &program, std::string const &rule) {
+  std::error_code error;
+  Words const read = read_make_rule(text_of_file(rule).value_or(""));
+  if (read.empty() || fs::file_size(program, error) > most_kept || error) return;
+  std::string const id = rewrite::content_id("program " + key);
+  std::string text = id + "\n";
+  for (std::string const &path : read)
+    if (!path.starts_with(workspace_)) text += file_stamp(path) + "\n";
+  directory_.keep_file(id, program);
+  directory_.keep(key, text);
+}
+
+// gold takes a third of the time. If it fails, the compiler's own linker links, or reports the error.
+Captured Linking::link(Command const &command) {
+  bool const is_chosen =
+      std::ranges::any_of(command.arguments, [](auto const &word) { return word.starts_with("-fuse-ld="); });
+  if (!has_gold() || is_chosen) return capture(command);
+  std::string const &program = command.arguments[position_after(command.arguments, "-o")], rule = program + ".d";
+  std::string const by_words = may_keep_ ? key(command) : "";
+  if (may_keep_ && take(by_words, program)) return {{Ending::exited, 0, 0}, {}};
+  Command quick = command;
+  quick.arguments.emplace_back("-fuse-ld=gold");
+  if (may_keep_) quick.arguments.push_back("-Wl,--dependency-file=" + rule);
+  Captured linked = capture(quick);
+  if (!linked.outcome.success()) return capture(command);
+  if (may_keep_) keep(by_words, program, rule);
+  return linked;
 }
 
 } // namespace symreal::program

@@ -1,4 +1,4 @@
-// Cache of compiled objects that persists across runs.
+// Caches of compiled objects and of linked programs that persist across runs.
 //
 // The key of an object covers the compiler, its arguments, the files that it reads and the failed lookups. If the
 // lookups cannot be determined, e.g. because a macro names an included file, the preprocessed text replaces them.
@@ -67,9 +67,34 @@ private:
   std::atomic<std::size_t> compiled_ = 0, reused_ = 0;
 };
 
-// Path, size and time of a file, or of a program looked up in PATH.
-std::string file_stamp(std::string const &path);
-std::string program_stamp(std::string const &name);
+// Linker with a cache of programs that earlier runs have linked.
+//
+// Linking takes as long as compiling a small source. A link is determined by the linker, its arguments and environment,
+// the objects and its other inputs. Objects count by content; the runtime and system libraries, as the linker names
+// them, by path, size and time, as the compiler does. Links with the user's own linker arguments are always run; large
+// programs are not cached.
+class Linking {
+public:
+  // `files`: contents of files, constant during this build. `may_keep`: the user has no linker arguments of their own.
+  Linking(CacheDirectory &directory, std::string workspace, FilesNow &files, bool may_keep)
+      : directory_(directory),
+        workspace_(std::move(workspace)),
+        files_(files),
+        may_keep_(may_keep && directory.exists()) {}
+
+  // Runs "... OBJECT... LIBRARY -o PROGRAM", or copies the program that it gave before. Thread-safe.
+  Captured link(Command const &command);
+
+private:
+  std::string key(Command const &command);
+  bool take(std::string const &key, std::string const &program);
+  void keep(std::string const &key, std::string const &program, std::string const &rule);
+
+  CacheDirectory &directory_;
+  std::string const workspace_;
+  FilesNow &files_;
+  bool const may_keep_;
+};
 
 // Position after the word `option`; 0 if it is absent or last.
 std::size_t position_after(std::vector<std::string> const &words, std::string_view option);

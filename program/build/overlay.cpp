@@ -2,8 +2,7 @@
 
 #include "engine/support/files.h"
 #include "engine/support/installation.h"
-#include "program/build/neighbours.h"
-#include "program/build/search_flags.h"
+#include "rewrite/request/driver_options.h"
 #include "rewrite/text/pragma_text.h"
 
 #include <algorithm>
@@ -166,6 +165,33 @@ Place original_place(rewrite::File const &file, Place place) {
   std::size_t offset = original_offset(file, start + place.column - 1);
   place.column = offset >= original_start ? static_cast<unsigned>(offset - original_start + 1) : 0;
   return place;
+}
+
+void link_neighbours(rewrite::Result const &rewritten, std::string const &top) {
+  std::set<fs::path> directories;
+  for (rewrite::File const &file : rewritten.files) directories.insert(fs::path(file.path).parent_path());
+  for (fs::path const &directory : directories) {
+    std::error_code unreadable, exists;
+    for (fs::directory_entry const &one : fs::directory_iterator(directory, unreadable))
+      fs::create_symlink(one.path(), top + one.path().string(), exists);
+  }
+}
+
+std::vector<std::string>
+search_flags(std::vector<std::string> const &flags,
+             std::function<std::optional<std::string>(std::string const &name)> const &counterpart,
+             std::vector<std::string> &searched) {
+  std::vector<std::string> words;
+  for (rewrite::DriverOption const &option : rewrite::driver_options(flags))
+    if (option.about == rewrite::About::headers) {
+      words.insert(words.end(), {option.name, counterpart(option.value).value_or(option.value)});
+    } else if (option.about == rewrite::About::directories) {
+      searched.push_back(option.value);
+      if (auto const found = counterpart(option.value)) words.insert(words.end(), {option.name, *found});
+      words.insert(words.end(), {option.name, option.value});
+    } else
+      rewrite::append(words, option, flags);
+  return words;
 }
 
 } // namespace symreal::program

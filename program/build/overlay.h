@@ -6,6 +6,7 @@
 
 #include "rewrite/rewrite.h"
 
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
@@ -50,5 +51,16 @@ private:
 
 // Maps a place in the rewritten text of a file to its original text.
 Place original_place(rewrite::File const &file, Place place);
+
+// Links each neighbour of a rewritten file beside its copy, which lies at `top` followed by its real path, so that an
+// #include in quotes finds it.
+void link_neighbours(rewrite::Result const &rewritten, std::string const &top);
+
+// Inserts the counterpart of each search directory, if any, before it, so that the search order stays, and the
+// counterpart of each -include header. `searched` receives the directories as the flags name them.
+std::vector<std::string>
+search_flags(std::vector<std::string> const &flags,
+             std::function<std::optional<std::string>(std::string const &name)> const &counterpart,
+             std::vector<std::string> &searched);
 
 } // namespace symreal::program

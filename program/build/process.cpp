@@ -1,19 +1,25 @@
 #include "program/build/process.h"
 
-#include "program/build/group_use.h"
+#include "engine/diagnostics/diagnostic.h"
 #include "program/build/interruption.h"
-#include "program/build/opened_files.h"
 #include "program/build/read_files.h"
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <charconv>
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
+#include <cstring>
 #include <fcntl.h>
+#include <filesystem>
+#include <fmt/format.h>
+#include <fstream>
 #include <optional>
 #include <poll.h>
+#include <sstream>
+#include <sys/mman.h>
 #include <sys/personality.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
@@ -24,6 +30,7 @@
 namespace symreal::program {
 namespace {
 
+namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
@@ -48,22 +55,51 @@ private:
   }
 };
 
+// The file of a request, which has no name and lives as long as a process has it open; none for an empty request.
+class RequestFile {
+public:
+  explicit RequestFile(wire::Request const &request) {
+    if (request.is_empty()) return;
+    std::string const content = request.content();
+    descriptor_ = memfd_create("symreal-request", MFD_CLOEXEC);
+    bool const is_written =
+        descriptor_ >= 0 && write(descriptor_, content.data(), content.size()) == static_cast<ssize_t>(content.size());
+    if (!is_written)
+      fail(DiagnosticId::no_workspace, {}, "no file in memory can be made: " + std::string(std::strerror(errno)));
+  }
+  ~RequestFile() {
+    if (descriptor_ >= 0) close(descriptor_);
+  }
+  RequestFile(RequestFile const &) = delete;
+  RequestFile &operator=(RequestFile const &) = delete;
+  int descriptor() const { return descriptor_; }
+
+private:
+  int descriptor_ = -1;
+};
+
 // Data of the child, prepared before the fork: between fork and exec nothing may allocate.
 struct Prepared {
   std::vector<char *> arguments, environment;
+  RequestFile request;
+  std::string request_entry; // of the environment
 
-  explicit Prepared(Command const &command) {
+  explicit Prepared(Command const &command)
+      : request(command.request),
+        request_entry(fmt::format("{}={}", wire::request_variable, request.descriptor())) {
     for (std::string const &word : command.arguments) arguments.push_back(const_cast<char *>(word.c_str()));
     arguments.push_back(nullptr);
     for (char **entry = environ; *entry; ++entry)
       if (!overridden(*entry, command)) environment.push_back(*entry);
     for (std::string const &entry : command.environment) environment.push_back(const_cast<char *>(entry.c_str()));
+    if (request.descriptor() >= 0) environment.push_back(request_entry.data());
     environment.push_back(nullptr);
   }
 
 private:
   static bool overridden(std::string_view entry, Command const &command) {
     std::string_view name = entry.substr(0, entry.find('=') + 1);
+    if (name.starts_with(wire::request_variable)) return true; // one that this process was given
     for (std::string const &added : command.environment)
       if (std::string_view(added).starts_with(name)) return true;
     return false;
@@ -87,6 +123,7 @@ private:
   // Fixes addresses, as stack contents may depend on them.
   if (command.at_fixed_addresses) personality(ADDR_NO_RANDOMIZE);
   for (int descriptor : command.inherited) fcntl(descriptor, F_SETFD, 0);
+  if (prepared.request.descriptor() >= 0) fcntl(prepared.request.descriptor(), F_SETFD, 0);
   signal(SIGPIPE, SIG_DFL);
   if (opened) opened->install();
   execvpe(prepared.arguments[0], prepared.arguments.data(), prepared.environment.data());
@@ -115,6 +152,56 @@ private:
   LineSink const &sink_;
   std::string rest_;
 };
+
+// User and system time of a process and of the children that it has waited for.
+double seconds_of(fs::path const &process) {
+  std::ifstream in(process / "stat");
+  std::string line;
+  std::getline(in, line);
+  std::size_t const name_end = line.rfind(')'); // the program's name may contain blanks
+  if (name_end == line.npos) return 0;
+  std::istringstream rest(line.substr(name_end + 1));
+  constexpr int before = 11; // fields between the name and the times
+  std::string passed;
+  for (int i = 0; i < before; ++i) rest >> passed;
+  double ticks = 0;
+  for (int i = 0; i < 4; ++i) {
+    double one = 0;
+    rest >> one;
+    ticks += one;
+  }
+  return ticks / static_cast<double>(sysconf(_SC_CLK_TCK));
+}
+
+std::size_t memory_of(fs::path const &process) {
+  std::ifstream in(process / "status");
+  for (std::string word; in >> word;) {
+    std::size_t kilobytes = 0;
+    if (word == "VmHWM:" && in >> kilobytes) return kilobytes * 1024;
+  }
+  return 0;
+}
+
+// Processor time and memory used by a process group, including ended processes that another one of the group has waited
+// for. Read from /proc.
+struct GroupUse {
+  double seconds = 0;
+  std::size_t most_memory = 0; // in bytes, of the largest process
+};
+
+GroupUse use_of_group(pid_t group) {
+  GroupUse use;
+  std::error_code error;
+  for (fs::directory_iterator at("/proc", error), end; !error && at != end; at.increment(error)) {
+    std::string const name = at->path().filename().string();
+    pid_t process = 0;
+    std::from_chars(name.data(), name.data() + name.size(), process);
+    if (process == 0 || getpgid(process) != group) continue;
+    use.seconds += seconds_of(at->path());
+    use.most_memory = std::max(use.most_memory, memory_of(at->path()));
+  }
+  return use;
+}
 
 // Time limits of a process group.
 class Limits {
@@ -218,7 +305,7 @@ Outcome run(Command const &command, LineSink const &sink) {
     waitpid(child, nullptr, 0);
     return {Ending::not_started, reason, seconds_since(start)};
   }
-  if (opened && !opened->serve(note_opened)) note_unseen();
+  if (opened) opened->serve();
   Lines lines(sink);
   int status = 0;
   rusage used = {};
@@ -244,6 +331,52 @@ Captured capture(Command const &command) {
   Captured captured;
   captured.outcome = run(command, [&](std::string_view line) { captured.output.append(line) += '\n'; });
   return captured;
+}
+
+std::string shell_line(std::vector<std::string> const &arguments) {
+  std::string line;
+  for (std::string const &word : arguments) {
+    if (!line.empty()) line += ' ';
+    bool plain =
+        !word.empty() && word.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789"
+                                                "_-+=./,:@%") == word.npos;
+    if (plain) {
+      line += word;
+      continue;
+    }
+    line += '\'';
+    for (char c : word) line += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    line += '\'';
+  }
+  return line;
+}
+
+std::vector<std::string> split_words(std::string_view text) {
+  std::vector<std::string> words;
+  bool inside = false; // inside a word, possibly an empty one ('')
+  char quote = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    char c = text[i];
+    bool blank = quote == 0 && (c == ' ' || c == '\t' || c == '\n');
+    if (blank) {
+      inside = false;
+      continue;
+    }
+    if (!inside) words.emplace_back();
+    inside = true;
+    bool escapes =
+        c == '\\' && quote != '\'' && i + 1 < text.size() && (quote == 0 || text[i + 1] == '"' || text[i + 1] == '\\');
+    if (escapes)
+      words.back() += text[++i];
+    else if (quote != 0 && c == quote)
+      quote = 0;
+    else if (quote == 0 && (c == '\'' || c == '"'))
+      quote = c;
+    else
+      words.back() += c;
+  }
+  if (quote != 0) fail(DiagnosticId::bad_option, {}, "a quote is not closed in '" + std::string(text) + "'");
+  return words;
 }
 
 } // namespace symreal::program

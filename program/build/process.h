@@ -2,6 +2,8 @@
 // output and error arrive as one stream of lines, in the order in which they were written.
 #pragma once
 
+#include "runtime/wire/request.h"
+
 #include <functional>
 #include <string>
 #include <string_view>
@@ -19,6 +21,7 @@ struct Command {
   std::vector<std::string> arguments;        // arguments[0] is looked up in PATH
   std::string directory = {};                // empty: the current one
   std::vector<std::string> environment = {}; // "NAME=value", added to the current one
+  wire::Request request = {};                // to a program that is linked with the runtime
   std::string standard_input = {};           // a file; empty: no input
   double time_limit = 0;                     // seconds; 0: no limit
   ProcessorLimit processor_limit = {};

@@ -10,12 +10,6 @@
 namespace symreal::program {
 
 void note_read(std::string const &path);
-// Notes a failed lookup: the file's appearance would change the result.
-void note_absent(std::string const &path);
-// Notes a file that a program opened with these `flags` of open(2). A file that it writes before reading is its own.
-void note_opened(std::string const &path, int flags);
-// Notes that this system cannot observe the files that programs open.
-void note_unseen();
 
 // The name under which this file was read, or written by a program; `path` may be another spelling, a link or a hard
 // link.
@@ -29,5 +23,24 @@ struct ReadFiles {
   bool are_all = true;
 };
 ReadFiles files_read();
+
+// Observer of the files that a process and its descendants open: a seccomp filter with a listener holds each open call
+// until its path is noted. Works for any program, however it is linked.
+class OpenedFiles {
+public:
+  OpenedFiles();
+  ~OpenedFiles();
+  OpenedFiles(OpenedFiles const &) = delete;
+  OpenedFiles &operator=(OpenedFiles const &) = delete;
+
+  // Installs the filter in the child, just before exec; allocates nothing.
+  void install() const noexcept;
+  // Serves the filter in the parent, after the child's exec: notes the files in a thread of its own until the last
+  // process has ended.
+  void serve();
+
+private:
+  int ends_[2] = {-1, -1}; // socket pair by which the child passes the listener
+};
 
 } // namespace symreal::program

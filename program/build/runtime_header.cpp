@@ -84,7 +84,7 @@ Command header_compilation(Command compilation, std::string const &to) {
 
 void RuntimeHeader::make(One &one, Command const &compilation, std::string const &key, FilesNow &files) {
   std::string const &header = compilation.arguments[header_position(compilation.arguments)];
-  std::string const all = workspace_ + "/precompiled/", directory = all + content_id(key);
+  std::string const all = workspace_ + "/precompiled/", directory = all + rewrite::content_id(key);
   std::error_code error;
   std::filesystem::create_directories(directory, error);
   if (error) return;
@@ -93,7 +93,7 @@ void RuntimeHeader::make(One &one, Command const &compilation, std::string const
   auto kept = one.asked == 1 ? objects_.known(precompilation, workspace_, files) : std::nullopt;
   one.is_laid = false;
   if (!kept) {
-    std::string const count_key = content_id("asked for " + key);
+    std::string const count_key = rewrite::content_id("asked for " + key);
     std::string const before = directory_.find(count_key).value_or("");
     bool const is_worth_it = before.size() + 1 >= worth_making;
     one.tried = is_worth_it;

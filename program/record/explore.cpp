@@ -68,9 +68,9 @@ void add_joined(Exploration &exploration, Events const &events, std::optional<Ou
 
 } // namespace
 
-std::string path_variable(std::size_t kernel, Outcomes const &outcomes, bool is_cut_at_end, ExploreBounds const &bounds,
-                          std::size_t pieces) {
-  return fmt::format("SYMREAL_PATH={}:{}{}:{}{}:{}", kernel, outcomes, is_cut_at_end ? "!" : "", bounds.depth,
+std::string path_text(std::size_t kernel, Outcomes const &outcomes, bool is_cut_at_end, ExploreBounds const &bounds,
+                      std::size_t pieces) {
+  return fmt::format("{}:{}{}:{}{}:{}", kernel, outcomes, is_cut_at_end ? "!" : "", bounds.depth,
                      bounds.zeros ? "z" : "", bounds.joins ? pieces : 0);
 }
 
@@ -90,13 +90,13 @@ static std::optional<Graph> explore_paths(std::size_t kernel, Place const &place
   for (std::size_t tried = 0; outcomes;) {
     exploration.paths_left = tried == bounds.paths;
     if (exploration.paths_left) break;
-    std::optional<PathRun> run = run_path(path_variable(kernel, *outcomes, false, bounds, pieces_left(exploration)));
+    std::optional<PathRun> run = run_path(path_text(kernel, *outcomes, false, bounds, pieces_left(exploration)));
     if (!run) return std::nullopt;
     bool const has_ended = !run->graph, is_late = has_ended && run->is_late;
     if (has_ended && tried == 0 && !met) fail_to_repeat(place); // the program's own path has reached the end before
     if (has_ended) {                                            // rerun up to the last decision before its end
       if (run->taken.size() < outcomes->size() || run->taken.empty()) fail_to_repeat(place);
-      run = run_path(path_variable(kernel, run->taken, true, bounds, 0));
+      run = run_path(path_text(kernel, run->taken, true, bounds, 0));
       if (!run) return std::nullopt;
       if (!run->graph) fail_to_repeat(place);
     }

@@ -58,9 +58,9 @@ struct Exploration {
   bool is_complete() const { return open == 0 && beyond == 0; }
 };
 
-// Value of $SYMREAL_PATH that requests a path of the K-th kernel. Failed attempts at joins may take `pieces` pieces.
-std::string path_variable(std::size_t kernel, Outcomes const &outcomes, bool is_cut_at_end, ExploreBounds const &bounds,
-                          std::size_t pieces);
+// Entry `path` of the request for a path of the K-th kernel. Failed attempts at joins may take `pieces` pieces.
+std::string path_text(std::size_t kernel, Outcomes const &outcomes, bool is_cut_at_end, ExploreBounds const &bounds,
+                      std::size_t pieces);
 
 // Pieces that failed attempts at joins may take before the first path is recorded. Each decision on the paths then adds
 // one: so the attempts take no longer than the paths and these pieces.
@@ -78,7 +78,7 @@ struct PathRun {
 // Chooses the paths of a kernel, once its inputs are known; nullopt to explore all.
 using ChoosePaths = std::function<std::optional<MetPaths>(Graph const &)>;
 
-// Explores the K-th kernel of a run. `run_path` runs the program with this $SYMREAL_PATH; it returns nullopt after
+// Explores the K-th kernel of a run. `run_path` runs the program with this entry `path`; it returns nullopt after
 // reporting an error, and then so does this function. Throws if the program does not repeat itself.
 std::optional<Graph> explore(std::size_t kernel, Place const &place, ExploreBounds const &bounds,
                              std::function<std::optional<PathRun>(std::string const &)> const &run_path,

@@ -2,7 +2,7 @@
 
 #include "program/build/c_macros.h"
 #include "program/build/read_files.h"
-#include "program/record/refusals.h"
+#include "program/record/explain_met.h"
 
 #include <algorithm>
 #include <chrono>
@@ -167,7 +167,8 @@ bool rewrite_sources(FrontRequest const &request, Front &front, Talk const &talk
   for (rewrite::Kernel const &kernel : front.wanted)
     if (source.annotations_only && !kernel.is_function)
       talk.note(fmt::format(
-          "--via-ir does not see what kernel '{}' reads of the locals around its block: it is baked in", kernel.name));
+          "--record=instructions does not see what kernel '{}' reads of the locals around its block: it is baked in",
+          kernel.name));
   return true;
 }
 

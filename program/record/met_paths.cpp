@@ -3,8 +3,8 @@
 #include "engine/graph/evaluate.h"
 #include "engine/graph/names.h"
 #include "engine/support/files.h"
-#include "engine/support/items.h"
 #include "engine/support/number.h"
+#include "engine/support/text.h"
 
 #include <algorithm>
 #include <cmath>

@@ -90,7 +90,6 @@ private:
     Guard guard;
     std::vector<std::size_t> at;
   };
-  // path_guards.cpp
   void need(Guard guard, std::size_t at);
   void add_guards();
   std::string where(std::size_t at) const;

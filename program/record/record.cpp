@@ -1,22 +1,106 @@
 #include "program/record/record.h"
 
 #include "engine/graph/graph_binary.h"
+#include "engine/support/files.h"
+#include "program/build/process.h"
 #include "program/record/explain_met.h"
-#include "program/record/memory_file.h"
-#include "program/record/name_nodes.h"
-#include "program/record/path_runs.h"
 #include "program/record/symbolize.h"
 
 #include <algorithm>
 #include <csignal>
 #include <cstring>
+#include <filesystem>
 #include <fmt/format.h>
 #include <llvm/ADT/StringExtras.h>
-#include <map>
 #include <set>
+#include <string>
+#include <sys/mman.h>
+#include <unistd.h>
+#include <utility>
 
 namespace symreal::program {
 namespace {
+
+using wire::Entry;
+
+// A file in memory with a path in the file system.
+//
+// A graph of a hundred million nodes takes two gigabytes; a disk file would be written out although it is read at once.
+class MemoryFile {
+public:
+  // Other processes of the same user open it by this path. Without system support nothing is created, and opening the
+  // path for writing creates an ordinary file.
+  explicit MemoryFile(std::string path) : path_(std::move(path)), descriptor_(memfd_create("symreal", MFD_CLOEXEC)) {
+    if (descriptor_ < 0) return;
+    std::string const opened = "/proc/" + std::to_string(getpid()) + "/fd/" + std::to_string(descriptor_);
+    std::error_code problem;
+    std::filesystem::create_symlink(opened, path_, problem);
+  }
+  // The file vanishes with its last descriptor.
+  ~MemoryFile() {
+    if (descriptor_ < 0) return;
+    std::error_code ignored;
+    std::filesystem::remove(path_, ignored);
+    close(descriptor_);
+  }
+  MemoryFile(MemoryFile &&other) noexcept
+      : path_(std::move(other.path_)),
+        descriptor_(std::exchange(other.descriptor_, -1)) {}
+  MemoryFile(MemoryFile const &) = delete;
+
+private:
+  std::string path_;
+  int descriptor_;
+};
+
+// Command that makes the program record into the directory.
+Command recording_command(std::string const &executable, RunOptions const &options, std::string const &directory) {
+  Command command{.arguments = {executable},
+                  .directory = options.directory,
+                  .standard_input = options.standard_input,
+                  .time_limit = options.time_limit};
+  command.arguments.insert(command.arguments.end(), options.arguments.begin(), options.arguments.end());
+  std::optional<ExploreBounds> const bounds = explore_bounds(options.decisions);
+  command.notes_opened = true;
+  command.at_fixed_addresses = bounds.has_value();
+  std::string const policy = !bounds ? options.decisions : bounds->selects ? "auto" : "explore";
+  command.request.set(Entry::record, directory);
+  command.request.set(Entry::decisions, policy);
+  command.request.set(Entry::fp, options.floating_point);
+  command.request.set(Entry::places, options.places ? "1" : "0");
+  if (options.from_instructions) command.request.set(Entry::watch, "1");
+  return command;
+}
+
+// Does the K-th kernel have decisions to explore, by the first run, which had the first kernel on a path?
+bool is_to_explore(Events const &first_run, std::size_t kernel) {
+  return kernel == 0
+             ? !first_run.decided.empty()
+             : std::find(first_run.undecided.begin(), first_run.undecided.end(), kernel) != first_run.undecided.end();
+}
+
+// Time limit in seconds, given the time of the first run. A path against the program's values may loop for ever.
+double path_time_limit(double first_run, RunOptions const &options) {
+  double const generous = 20 * first_run + 5;
+  return options.time_limit > 0 ? std::min(options.time_limit, generous) : generous;
+}
+
+// Runs the program along this path of the K-th kernel, where it ends. Leaves `directory` to the next run.
+PathRun run_along(std::string const &path, std::size_t kernel, std::string const &executable, RunOptions const &options,
+                  std::string const &directory) {
+  std::string const graph = directory + "/" + std::to_string(kernel) + ".graph", taken = directory + "/taken";
+  for (std::string const &old : {graph, taken, directory + "/events"}) std::filesystem::remove(old);
+  Command program = recording_command(executable, options, directory);
+  program.request.set(Entry::path, path);
+  program.request.set(Entry::kernels, std::to_string(kernel + 1));
+  Outcome const end = run(program, [](std::string_view) {}); // discards the output, which belongs to another path
+  PathRun result{read_events(directory + "/events")};
+  result.is_late = end.ending == Ending::timed_out;
+  result.seconds = end.seconds;
+  if (std::filesystem::exists(graph)) result.graph = read_binary_graph(graph);
+  if (std::filesystem::exists(taken)) result.taken = read_file(taken);
+  return result;
+}
 
 bool is_recording_of(RecordedKernel const &recorded, rewrite::Kernel const &kernel) {
   return recorded.name == kernel.name || (!kernel.output_file.empty() && recorded.output_file == kernel.output_file);
@@ -61,40 +145,6 @@ void locate_frozen(Recorded &recorded, std::vector<FrozenRead> const &reads, Sym
       state.place = own_place(read->addresses, symbolizer).value_or(Place());
     recorded.frozen_reads.push_back(read == reads.end() ? std::vector<Note>() : read_notes(state, *read, symbolizer));
   }
-}
-
-std::string key(Location const &location) {
-  std::string text;
-  for (Place const &place : location.places) text += to_string(place) + '\n';
-  return text;
-}
-
-// Merges locations that denote the same places: several pieces of code may share one.
-void merge_equal_locations(Graph &graph) {
-  std::vector<Location> merged;
-  std::vector<LocationId> now;
-  std::map<std::string, LocationId> known;
-  for (Location &location : graph.locations) {
-    auto [found, is_new] = known.try_emplace(key(location), static_cast<LocationId>(merged.size()));
-    now.push_back(found->second);
-    if (is_new) merged.push_back(std::move(location));
-  }
-  graph.locations = std::move(merged);
-  auto move = [&](LocationId &id) { id = id == no_location ? id : now[id]; };
-  for (LocationId &id : graph.node_location) move(id);
-  for (Guard &guard : graph.guards) move(guard.location);
-}
-
-// Resolves locations to places. The innermost place in a rewritten file, where the user can act, comes first.
-void resolve(Graph &graph, Symbolizer &symbolizer) {
-  for (Location &location : graph.locations) {
-    std::vector<Frame> frames = symbolizer.frames(location.addresses);
-    auto own = std::find_if(frames.begin(), frames.end(), [](Frame const &frame) { return frame.rewritten; });
-    if (own != frames.end()) location.places.push_back(own->place);
-    for (auto frame = frames.begin(); frame != own; ++frame) location.places.push_back(frame->place);
-    location.addresses.clear();
-  }
-  merge_equal_locations(graph);
 }
 
 // Explains, by how the program ended, why a requested kernel is missing.
@@ -226,9 +276,8 @@ Recording record(std::string const &executable, RunOptions const &options, rewri
   std::optional<ExploreBounds> const bounds = explore_bounds(options.decisions);
   FloatingPoint const mode = parse_floating_point(options.floating_point).value_or(FloatingPoint::finite);
   Command program = recording_command(executable, options, directory);
-  if (bounds) program.environment.push_back(path_variable(0, {}, false, *bounds, 0));
-  if (!options.run_on && !wanted.empty())
-    program.environment.push_back("SYMREAL_KERNELS=" + std::to_string(wanted.size()));
+  if (bounds) program.request.set(Entry::path, path_text(0, {}, false, *bounds, 0));
+  if (!options.run_on && !wanted.empty()) program.request.set(Entry::kernels, std::to_string(wanted.size()));
   std::vector<MemoryFile> files; // named as the program will name them
   for (std::size_t k = 0; k < std::max<std::size_t>(wanted.size(), 1); ++k)
     files.emplace_back(directory + "/" + std::to_string(k) + ".graph");

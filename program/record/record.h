@@ -9,8 +9,6 @@
 #include "program/record/events.h"
 #include "program/record/explore.h"
 
-#include <functional>
-#include <map>
 #include <string>
 #include <vector>
 
@@ -29,7 +27,7 @@ struct RunOptions {
   bool from_instructions = false; // the original runs, and its instructions record themselves (oracle/)
 };
 
-// Values that the recorded call baked in (rewrite/model/baked_values.h), as bits.
+// Values that the recorded call baked in (rewrite/model/signature.h), as bits.
 struct BakedObject {
   rewrite::Baked what; // with the shape of the compared parts
   std::vector<std::size_t> lengths;

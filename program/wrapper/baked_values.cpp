@@ -3,7 +3,7 @@
 #include "engine/graph/names.h"
 #include "engine/support/files.h"
 #include "engine/support/mutation/is_dropped.h"
-#include "engine/support/quoted.h"
+#include "engine/support/text.h"
 #include "program/wrapper/wrapped_original.h"
 #include "program/wrapper/wrapper_text.h"
 
@@ -21,7 +21,7 @@ using rewrite::Baked;
 
 bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
-// A parsed shape of rewrite/model/baked_values.h.
+// A parsed shape of rewrite/model/signature.h.
 struct Shape {
   std::vector<std::size_t> extents;
   char kind = 0;    // '{' if it has members
@@ -49,6 +49,11 @@ Shape read_shape(std::string_view &text) {
   }
   text.remove_prefix(1);
   return shape;
+}
+
+Shape shape_of(Baked const &baked) {
+  std::string_view text = baked.shape;
+  return read_shape(text);
 }
 
 std::string written(Shape const &shape) {
@@ -99,8 +104,7 @@ std::string statements(Shape const &shape, std::string element, std::size_t dept
 }
 
 std::string statements(Baked const &baked, std::vector<std::string> const &lengths, Leaf const &leaf) {
-  std::string_view rest = baked.shape;
-  Shape const shape = read_shape(rest);
+  Shape const shape = shape_of(baked);
   std::string element = "(" + baked.expression + ")";
   for (std::size_t k = 0; k < baked.sections.size(); ++k)
     element += fmt::format("[({}) + symreal_{}]", baked.sections[k].low, k);
@@ -279,7 +283,7 @@ bool symreal_is_other(symreal_T const &symreal_object, bool symreal_is_whole, un
 
 // Helpers of the program that prints the values.
 constexpr char const *tellers_in_c = R"(
-char *symreal_environment(char const *) __asm__("getenv");
+char const *symreal_requested(char const *);
 int symreal_create(char const *, unsigned) __asm__("creat");
 int symreal_print(int, char const *, ...) __asm__("dprintf");
 void symreal_quit(int) __asm__("_exit");
@@ -308,8 +312,7 @@ template <class symreal_T> void symreal_tell(int symreal_file, symreal_T const &
 bool has_kind(std::vector<BakedObject> const &all, char kind) {
   return std::ranges::any_of(all, [kind](BakedObject const &one) {
     bool found = false;
-    std::string_view rest = one.what.shape;
-    Shape shape = read_shape(rest);
+    Shape shape = shape_of(one.what);
     (void)keep_members(shape, "", [&](std::string const &, char what) { return found |= what == kind, true; });
     return found;
   });
@@ -340,8 +343,7 @@ void keep_read(std::vector<BakedObject> &all, std::vector<Frozen> const &frozen)
   for (BakedObject &one : all) {
     if (!one.what.is_object) continue;
     labels.push_back(one.what.label);
-    std::string_view rest = one.what.shape;
-    Shape shape = read_shape(rest);
+    Shape shape = shape_of(one.what);
     (void)keep_members(shape, last_word(one.what.label),
                        [&](std::string const &name, char) { return members.push_back(name), true; });
   }
@@ -357,8 +359,7 @@ void keep_read(std::vector<BakedObject> &all, std::vector<Frozen> const &frozen)
     if (!one.what.is_object) return false;
     bool const is_copied =
         std::ranges::any_of(frozen, [&](Frozen const &each) { return each.is_member && each.name == one.what.label; });
-    std::string_view rest = one.what.shape;
-    Shape shape = read_shape(rest);
+    Shape shape = shape_of(one.what);
     bool const any = keep_members(shape, last_word(one.what.label), [&](std::string const &name, char kind) {
       bool const is_integer = kind == 'i' || kind == 'b' || kind == 'x' || kind == '@';
       return !is_integer || counts_all || is_copied || std::ranges::find(read, name) != read.end();
@@ -387,10 +388,10 @@ void require_named(Recorded const &recorded) {
                    reason));
 }
 
-// Statements that print the values. The environment gives the file's name, since objects are cached across runs.
+// Statements that print the values. The request gives the file's name, since objects are cached across runs.
 std::string tell(Recorded const &recorded) {
   std::string text = "if (SYMREAL_ORIGINAL_IS_ACTIVE) { int const symreal_file = "
-                     "symreal_create(symreal_environment(\"SYMREAL_BAKED\"), 0600); ";
+                     "symreal_create(symreal_requested(\"baked\"), 0600); ";
   for (BakedObject const &one : recorded.baked) {
     std::vector<std::string> lengths;
     for (rewrite::Section const &section : one.what.sections) {
@@ -461,10 +462,10 @@ void add_baked_values(Front const &front, RunOptions const &run, Recorded &recor
   std::string const program = build_variants(front.build, variants, *front.overlay, text, *front.workspace).front();
   Command command{.arguments = {program},
                   .directory = run.directory,
-                  .environment = {"SYMREAL_BAKED=" + path},
                   .standard_input = run.standard_input,
                   .time_limit = run.time_limit};
   command.arguments.insert(command.arguments.end(), run.arguments.begin(), run.arguments.end());
+  command.request.set(wire::Entry::baked, path);
   (void)program::run(command, [](std::string_view) {});
   read_values(recorded, path);
 }

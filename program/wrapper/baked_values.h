@@ -28,7 +28,7 @@ bool compares_classes(Recorded const &recorded);
 // Name of a check on the overlap of two items.
 std::string overlap_label(rewrite::Overlap const &overlap);
 
-// Loops over an object's values; `leaf` gives the statement on each, by its kind (rewrite/model/baked_values.h).
+// Loops over an object's values; `leaf` gives the statement on each, by its kind (rewrite/model/signature.h).
 using BakedLeaf = std::function<std::string(std::string const &element, char kind)>;
 std::string baked_statements(BakedObject const &object, BakedLeaf const &leaf);
 

@@ -2,7 +2,7 @@
 
 #include "engine/diagnostics/diagnostic.h"
 #include "engine/support/mutation/is_dropped.h"
-#include "engine/support/quoted.h"
+#include "engine/support/text.h"
 
 #include <algorithm>
 #include <cctype>

@@ -1,7 +1,5 @@
-#include "rewrite/c/arrays.h"
-
+#include "rewrite/c/constructs.h"
 #include "rewrite/c/walk.h"
-#include "rewrite/text/pragma_text.h"
 
 namespace symreal::rewrite {
 namespace {
@@ -116,7 +114,7 @@ private:
       rows = array.getElementLoc();
     }
     std::string const name = variable.getNameAsString();
-    return "::symreal::SymrealVariableRows<" + printed(rows.getType(), "") + ", " + std::to_string(rank) + "> " + name +
+    return "::symreal::SymrealVariableRows<" + printed(rows.getType()) + ", " + std::to_string(rank) + "> " + name +
            "(symreal_" + name + extents + ");";
   }
 
@@ -139,20 +137,8 @@ private:
       std::int64_t const unit = literal.getCodeUnit(k);
       list += (k == 0 ? "" : ", ") + std::to_string(is_signed_char ? static_cast<signed char>(unit) : unit);
     }
-    bool const in_braces = next_token(end).is(tok::r_brace) && follows_brace(begin);
+    bool const in_braces = next_token(end).is(tok::r_brace) && map_.text_before(begin).rtrim().ends_with("{");
     return in_braces ? list : "{" + list + "}";
-  }
-
-  bool follows_brace(SourceLocation location) const {
-    auto const [file, offset] = sources_.getDecomposedSpellingLoc(location);
-    return sources_.getBufferData(file).substr(0, offset).rtrim().ends_with("{");
-  }
-
-  std::string printed(QualType type, std::string declarator) const {
-    PrintingPolicy policy(context_.getLangOpts());
-    policy.Bool = true;
-    type.getAsStringInternal(declarator, policy);
-    return with_real(declarator);
   }
 
   void leave_open(ParmVarDecl const &parameter, ArrayTypeLoc array) {

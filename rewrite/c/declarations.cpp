@@ -1,134 +1,223 @@
-// C tells a tag from other names by the word before it, and a name declared within a structure is visible behind it. In
-// C++ a tag hides a variable, function or type of the same name further out, and a structure is a scope. A structure
-// without members has size 0 in C, and 1 in C++.
-#include "rewrite/c/declarations.h"
+#include "rewrite/c/constructs.h"
 #include "rewrite/c/walk.h"
-
-#include <vector>
 
 namespace symreal::rewrite {
 namespace {
 
 using namespace clang;
 
-class Scopes : public CWalk {
+class Specifiers : public CWalk {
 public:
   using CWalk::CWalk;
 
-  bool TraverseFunctionDecl(FunctionDecl *function) override {
-    Entered const here(*this, function->getBody()); // whose names are in one block with those of the parameters
-    return CWalk::TraverseFunctionDecl(function);
+  bool VisitVarDecl(VarDecl *variable) override {
+    if (isa<ParmVarDecl>(variable) || !variable->getTypeSourceInfo()) return true;
+    if (variable->getStorageClass() == SC_Auto && !variable->getType()->getContainedAutoType())
+      leave_out_auto(*variable);
+    add_int(*variable, variable->getTypeSourceInfo()->getTypeLoc());
+    return true;
   }
-  bool TraverseCompoundStmt(CompoundStmt *block) override {
-    if (!blocks_.empty() && blocks_.back().block == block) return CWalk::TraverseCompoundStmt(block);
-    Entered const here(*this, block);
-    return CWalk::TraverseCompoundStmt(block);
-  }
-  bool TraverseForStmt(ForStmt *loop) override {
-    Entered const here(*this, loop);
-    return CWalk::TraverseForStmt(loop);
-  }
-  bool TraverseRecordDecl(RecordDecl *record) override {
-    Entered const here(*this, nullptr);
-    records_.push_back(record);
-    bool const more = CWalk::TraverseRecordDecl(record);
-    records_.pop_back();
-    return more;
+  bool VisitFunctionDecl(FunctionDecl *function) override {
+    FunctionTypeLoc const type = function->getFunctionTypeLoc();
+    if (!type) return true;
+    add_int(*function, type.getReturnLoc());
+    if (TagDecl *tag = defined_in(type.getReturnLoc())) define_before(*function, *tag);
+    return true;
   }
 
+  bool VisitParmVarDecl(ParmVarDecl *parameter) override {
+    return !parameter->getTypeSourceInfo() || named_before(parameter->getTypeSourceInfo()->getTypeLoc());
+  }
+  bool VisitUnaryExprOrTypeTraitExpr(UnaryExprOrTypeTraitExpr *asked) override {
+    return !asked->isArgumentType() || named_before(asked->getArgumentTypeInfo()->getTypeLoc());
+  }
+  bool VisitCStyleCastExpr(CStyleCastExpr *cast) override {
+    return named_before(cast->getTypeInfoAsWritten()->getTypeLoc());
+  }
+  bool VisitCompoundLiteralExpr(CompoundLiteralExpr *literal) override {
+    return named_before(literal->getTypeSourceInfo()->getTypeLoc());
+  }
+  bool VisitOffsetOfExpr(OffsetOfExpr *offset) override {
+    return named_before(offset->getTypeSourceInfo()->getTypeLoc());
+  }
+
+private:
+  // The words before the declarator.
+  static TypeLoc specifier(TypeLoc type) {
+    type = without_declarator(type);
+    while (auto const function = type.getAs<FunctionTypeLoc>()) type = without_declarator(function.getReturnLoc());
+    return type.getUnqualifiedLoc();
+  }
+
+  // The structure or enumeration that the specifier defines; null if it only names it.
+  static TagDecl *defined_in(TypeLoc type) {
+    auto const named = specifier(type).getAs<ElaboratedTypeLoc>();
+    TagDecl *tag = named ? named.getTypePtr()->getOwnedTagDecl() : nullptr;
+    return tag && tag->isThisDeclarationADefinition() ? tag : nullptr;
+  }
+
+  bool named_before(TypeLoc type) {
+    if (TagDecl const *tag = defined_in(type))
+      report(tag->getLocation(), "a structure or enumeration is defined within an expression or a parameter");
+    return true;
+  }
+
+  void leave_out_auto(VarDecl const &variable) {
+    SourceLocation at = sources_.getSpellingLoc(variable.getBeginLoc());
+    SourceLocation const name = sources_.getSpellingLoc(variable.getLocation());
+    for (Token token; sources_.isBeforeInTranslationUnit(at, name); at = token.getEndLoc()) {
+      if (Lexer::getRawToken(at, token, sources_, context_.getLangOpts(), /*IgnoreWhiteSpace=*/true)) break;
+      if (token.isNot(tok::raw_identifier) || token.getRawIdentifier() != "auto") continue;
+      if (!map_.text_before(token.getLocation()).ends_with("REAL_EITHER(("))
+        insert(map_.token(token.getLocation()), Use::instead, "");
+      return;
+    }
+    if (!is_rewritten(variable.getBeginLoc()))
+      report(variable.getLocation(),
+             "a macro makes the word 'auto' in the declaration of '" + variable.getNameAsString() + "'");
+  }
+
+  void add_int(NamedDecl const &declaration, TypeLoc type) {
+    auto const built_in = specifier(type).getAs<BuiltinTypeLoc>();
+    if (!built_in) return;
+    SourceLocation const said = built_in.getBuiltinLoc(); // the name, if no type is written
+    if (said.isValid() && said != declaration.getLocation()) return;
+    if (!without_type_.insert(declaration.getBeginLoc().getRawEncoding()).second) return; // behind a comma
+    std::optional<Span> const name = map_.token(declaration.getLocation(), declaration.getName());
+    bool const is_pointer = map_.text_before(declaration.getLocation()).rtrim().ends_with("*");
+    if (is_pointer || !insert(name, Use::before, "int"))
+      report(declaration.getLocation(),
+             "'" + declaration.getNameAsString() + "' is declared without a type, as a pointer or by a macro");
+  }
+
+  // `static struct s {...} f()` becomes `struct s {...}; static struct s f()`.
+  void define_before(FunctionDecl const &function, TagDecl const &tag) {
+    SourceLocation const begin = function.getBeginLoc(), keyword = tag.getOuterLocStart();
+    std::string words;
+    bool known = keyword.isFileID() && begin.isFileID();
+    if (known && begin != keyword) {
+      std::optional<Span> before = map_.characters(begin, keyword);
+      known = before.has_value();
+      if (known) {
+        words = map_.text(*before, begin);
+        while (before->end > before->begin + 1 && isWhitespace(words[before->end - before->begin - 1])) --before->end;
+        facts_.wraps.insert({*before, Use::instead, ""});
+      }
+    }
+    std::string name = tag.getNameAsString();
+    SourceLocation const open = tag.getBraceRange().getBegin();
+    if (name.empty()) {
+      name = "symreal_of_" + function.getNameAsString();
+      known = known && insert(map_.token(open), Use::before, name);
+    }
+    words = "; " + words + tag.getKindName().str() + " " + name;
+    known = known && insert(map_.token(tag.getBraceRange().getEnd()), Use::behind, words);
+    if (!known && !is_rewritten(begin) && !is_rewritten(next_token(tag.getBraceRange().getEnd()).getLocation()))
+      report(tag.getLocation(),
+             "macros define a structure where '" + function.getNameAsString() + "' says what it returns");
+  }
+
+  llvm::SmallSet<SourceLocation::UIntTy, 8> without_type_; // where declarations begin
+};
+
+class Anonymous : public CWalk {
+public:
+  Anonymous(ASTContext &context, SourceMap const &map, Reals const &reals, Facts &facts)
+      : CWalk(context, map, facts),
+        reals_(reals) {}
+
+  // Anonymous structures only: the unnamed field through which outer classes see one has no text.
   bool VisitRecordDecl(RecordDecl *record) override {
-    bool const is_empty = std::all_of(record->field_begin(), record->field_end(),
-                                      [](FieldDecl const *field) { return field->isUnnamedBitField(); });
-    if (record->isThisDeclarationADefinition() && !record->isInvalidDecl() && is_empty)
-      report(record->getLocation(), "a structure without members has another size in C++");
+    for (FieldDecl const *field : record->fields()) {
+      std::string const name = name_of(field);
+      if (name.empty()) continue;
+      SourceLocation const brace = field->getType()->getAsRecordDecl()->getBraceRange().getEnd();
+      insert(map_.token(brace), Use::behind, name);
+    }
     return true;
   }
-  bool VisitTagDecl(TagDecl *tag) override {
-    if (!tag->getIdentifier() || blocks_.empty()) return true;
-    // A structure has entered its own block already.
-    std::size_t const depth = blocks_.size() - (isa<RecordDecl>(tag) ? 2 : 1);
-    if (depth < blocks_.size()) blocks_[depth].tags.insert(tag->getName());
-    return true;
-  }
-  bool VisitValueDecl(ValueDecl *declaration) override { return ordinary(declaration); }
-  bool VisitTypedefNameDecl(TypedefNameDecl *declaration) override { return ordinary(declaration); }
 
-  bool VisitDeclRefExpr(DeclRefExpr *use) override {
-    look_up(use->getDecl(), use->getLocation());
-    if (auto const *enumerator = dyn_cast<EnumConstantDecl>(use->getDecl()))
-      leave(enumerator, cast<EnumDecl>(enumerator->getDeclContext()), use->getLocation());
+  bool VisitMemberExpr(MemberExpr *member) override {
+    if (!member->getMemberDecl()->getDeclName()) return true; // part of the path to the written member
+    std::string names;
+    for (auto const *base = dyn_cast<MemberExpr>(member->getBase()->IgnoreParenImpCasts());
+         base && !base->getMemberDecl()->getDeclName();
+         base = dyn_cast<MemberExpr>(base->getBase()->IgnoreParenImpCasts()))
+      if (auto const *field = dyn_cast<FieldDecl>(base->getMemberDecl()))
+        if (std::string const name = name_of(field); !name.empty()) names.insert(0, name + ".");
+    insert_path(member->getMemberLoc(), names);
     return true;
   }
-  bool VisitTypedefTypeLoc(TypedefTypeLoc use) override {
-    look_up(use.getTypedefNameDecl(), use.getNameLoc());
+
+  bool VisitOffsetOfExpr(OffsetOfExpr *offset) override {
+    std::string names;
+    for (unsigned k = 0; k < offset->getNumComponents(); ++k) {
+      OffsetOfNode const &node = offset->getComponent(k);
+      if (node.getKind() != OffsetOfNode::Field) continue;
+      if (std::string const name = name_of(node.getField()); !name.empty())
+        names += name + ".";
+      else if (node.getField()->getDeclName()) {
+        insert_path(node.getEndLoc(), names);
+        names.clear();
+      }
+    }
     return true;
   }
-  bool VisitTagTypeLoc(TagTypeLoc use) override {
-    leave(use.getDecl(), use.getDecl(), use.getNameLoc());
+
+  // .x = 1 would need to name the structure around x, which C++ does not allow in one step.
+  bool VisitDesignatedInitExpr(DesignatedInitExpr *initializer) override {
+    for (DesignatedInitExpr::Designator const &designator : initializer->designators())
+      if (designator.isFieldDesignator() && designator.getFieldDecl())
+        if (std::string const name = around(designator.getFieldDecl()); !name.empty())
+          report(designator.getFieldLoc(), "'." + designator.getFieldName()->getName().str() +
+                                               "' designates a member of a structure without a name that holds REALs");
     return true;
   }
 
 private:
-  struct Block {
-    Stmt const *block;
-    llvm::StringSet<> ordinary, tags;
-  };
-  class Entered {
-  public:
-    Entered(Scopes &scopes, Stmt const *block) : scopes_(scopes) { scopes_.blocks_.push_back({block, {}, {}}); }
-    ~Entered() { scopes_.blocks_.pop_back(); }
-    Entered(Entered const &) = delete;
-    Entered &operator=(Entered const &) = delete;
-
-  private:
-    Scopes &scopes_;
-  };
-
-  bool ordinary(NamedDecl const *declaration) {
-    if (declaration->getIdentifier() && !blocks_.empty() && !isa<FieldDecl>(declaration))
-      blocks_.back().ordinary.insert(declaration->getName());
-    return true;
+  // Generated name of an anonymous structure that holds REALs; empty for all others. It is derived from the first named
+  // member, which makes it unique within the class.
+  std::string name_of(FieldDecl const *field) const {
+    if (!field->isAnonymousStructOrUnion() || field->getType()->isUnionType()) return {};
+    RecordDecl const *record = field->getType()->getAsRecordDecl();
+    if (!record || !map_.in_roots(record->getLocation()) || !reals_.carries_real(field->getType())) return {};
+    for (FieldDecl const *member : record->fields())
+      if (member->getDeclName()) return "symreal_with_" + member->getNameAsString();
+    return {};
   }
-
-  void look_up(NamedDecl const *declaration, SourceLocation use) {
-    if (!declaration->getIdentifier()) return;
-    for (auto block = blocks_.rbegin(); block != blocks_.rend(); ++block) {
-      if (block->ordinary.contains(declaration->getName())) return;
-      if (block->tags.contains(declaration->getName()))
-        return report(use, "'" + declaration->getName().str() + "' is a tag here in C++, which hides the other name");
+  std::string around(FieldDecl const *member) const {
+    for (FieldDecl const *field : outer_fields(member->getParent()))
+      if (std::string name = name_of(field); !name.empty()) return name;
+    return {};
+  }
+  // The fields, from the inside out, in which an anonymous record stands.
+  static std::vector<FieldDecl const *> outer_fields(RecordDecl const *record) {
+    std::vector<FieldDecl const *> fields;
+    while (record && record->isAnonymousStructOrUnion()) {
+      auto const *outer = dyn_cast<RecordDecl>(record->getDeclContext());
+      for (FieldDecl const *field : outer ? outer->fields() : record->fields())
+        if (field->getType()->getAsRecordDecl() == record) fields.push_back(field);
+      record = outer;
     }
+    return fields;
   }
 
-  // Reports a use of a name that a structure declares, outside of it: in C++ it is a member, or another declaration.
-  void leave(NamedDecl const *declaration, TagDecl const *tag, SourceLocation use) {
-    auto const *record = dyn_cast<RecordDecl>(tag->getLexicalDeclContext());
-    if (!record || !declaration->getIdentifier()) return;
-    for (RecordDecl const *outer : records_)
-      if (outer->getCanonicalDecl() == record->getCanonicalDecl()) return;
-    for (NamedDecl const *other : context_.getTranslationUnitDecl()->lookup(declaration->getDeclName()))
-      if (other->getCanonicalDecl() != declaration->getCanonicalDecl())
-        return report(use, "'" + declaration->getName().str() + "' is declared in a structure, and is another in C++");
-    std::string words;
-    for (auto const *outer = record; outer; outer = dyn_cast<RecordDecl>(outer->getLexicalDeclContext())) {
-      TypedefNameDecl const *alias = outer->getTypedefNameForAnonDecl();
-      if (outer->isAnonymousStructOrUnion()) continue; // its names are those of the structure around it
-      if (!alias && !outer->getIdentifier())
-        return report(use, "'" + declaration->getName().str() + "' is declared in a structure without a name");
-      words.insert(0, (alias ? alias->getName() : outer->getName()).str() + "::");
-    }
-    if (!map_.in_roots(use)) return;
-    if (std::optional<Span> const token = map_.token(use, declaration->getName()))
-      facts_.wraps.insert({*token, Use::before, words});
+  void insert_path(SourceLocation name, std::string const &words) {
+    if (!words.empty() && map_.in_roots(name) && !insert(map_.token(name), Use::before, words))
+      report(name, "a macro makes the name of a member of a structure without a name that holds REALs");
   }
 
-  std::vector<Block> blocks_;
-  std::vector<RecordDecl const *> records_;
+  Reals const &reals_;
 };
 
 } // namespace
 
-void collect_c_declarations(ASTContext &context, SourceMap const &map, Facts &facts) {
-  if (!map.language().CPlusPlus) Scopes(context, map, facts).TraverseDecl(context.getTranslationUnitDecl());
+void collect_c_specifiers(ASTContext &context, SourceMap const &map, Facts &facts) {
+  if (!map.language().CPlusPlus) Specifiers(context, map, facts).TraverseDecl(context.getTranslationUnitDecl());
+}
+
+void collect_anonymous_structs(ASTContext &context, SourceMap const &map, Reals const &reals, Facts &facts) {
+  Anonymous(context, map, reals, facts).TraverseDecl(context.getTranslationUnitDecl());
 }
 
 } // namespace symreal::rewrite

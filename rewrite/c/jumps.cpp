@@ -1,11 +1,5 @@
-// Splitting of declarations that a jump skips: `int n = f(), m = 2;` becomes `int n; initialised(n) = f(); int m;
-// initialised(m) = 2;`. The words are inserted, so that other rules still apply to the initialisers. An array of REALs
-// gets a class of its own: g++ regards one of a class with constructors as initialised.
-#include "rewrite/c/jumps.h"
-
+#include "rewrite/c/constructs.h"
 #include "rewrite/c/walk.h"
-#include "rewrite/model/reals.h"
-#include "rewrite/text/pragma_text.h"
 
 #include <vector>
 
@@ -39,6 +33,9 @@ private:
   unsigned switches_ = 0;
 };
 
+// Splitting of declarations that a jump skips: `int n = f(), m = 2;` becomes `int n; initialised(n) = f(); int m;
+// initialised(m) = 2;`. The words are inserted, so that other rules still apply to the initialisers. An array of REALs
+// gets a class of its own: g++ regards one of a class with constructors as initialised.
 class Jumps : public CWalk {
 public:
   using CWalk::CWalk;
@@ -165,9 +162,7 @@ private:
       at = token.getEndLoc();
     }
     for (SourceLocation const at : found) {
-      auto const [file, offset] = sources_.getDecomposedLoc(at);
-      if (sources_.getBufferData(file).substr(0, offset).ends_with("REAL_EITHER(("))
-        continue; // from the rewriting before
+      if (map_.text_before(at).ends_with("REAL_EITHER((")) continue; // from the rewriting before
       std::optional<Span> const token = map_.token(at);
       if (!token) return false;
       words.push_back({*token, Use::instead, ""});
@@ -194,9 +189,7 @@ private:
     if (!variable.getType()->isPointerType()) named = named.getUnqualifiedType();
     if (TagDecl const *tag = named->getAsTagDecl(); tag && !tag->getIdentifier() && !named->getAs<TypedefType>())
       return {};
-    PrintingPolicy policy(context_.getLangOpts());
-    policy.Bool = true;
-    return with_real(named.getAsString(policy));
+    return printed(named);
   }
 
   bool assign(VarDecl const &variable, std::vector<Wrap> &words) const {

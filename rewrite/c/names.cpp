@@ -1,9 +1,9 @@
-#include "rewrite/c/names.h"
-
+#include "rewrite/c/constructs.h"
 #include "rewrite/c/walk.h"
-#include "rewrite/facts/own_names.h"
-#include "rewrite/model/library_names.h"
-#include "rewrite/model/reals.h"
+#include "rewrite/facts/facts.h"
+#include "rewrite/model/library.h"
+
+#include <vector>
 
 namespace symreal::rewrite {
 namespace {
@@ -102,10 +102,131 @@ private:
   llvm::SmallPtrSet<FunctionDecl const *, 4> defined_;
 };
 
+// C tells a tag from other names by the word before it, and a name declared within a structure is visible behind it. In
+// C++ a tag hides a variable, function or type of the same name further out, and a structure is a scope. A structure
+// without members has size 0 in C, and 1 in C++.
+class Scopes : public CWalk {
+public:
+  using CWalk::CWalk;
+
+  bool TraverseFunctionDecl(FunctionDecl *function) override {
+    Entered const here(*this, function->getBody()); // whose names are in one block with those of the parameters
+    return CWalk::TraverseFunctionDecl(function);
+  }
+  bool TraverseCompoundStmt(CompoundStmt *block) override {
+    if (!blocks_.empty() && blocks_.back().block == block) return CWalk::TraverseCompoundStmt(block);
+    Entered const here(*this, block);
+    return CWalk::TraverseCompoundStmt(block);
+  }
+  bool TraverseForStmt(ForStmt *loop) override {
+    Entered const here(*this, loop);
+    return CWalk::TraverseForStmt(loop);
+  }
+  bool TraverseRecordDecl(RecordDecl *record) override {
+    Entered const here(*this, nullptr);
+    records_.push_back(record);
+    bool const more = CWalk::TraverseRecordDecl(record);
+    records_.pop_back();
+    return more;
+  }
+
+  bool VisitRecordDecl(RecordDecl *record) override {
+    bool const is_empty = std::all_of(record->field_begin(), record->field_end(),
+                                      [](FieldDecl const *field) { return field->isUnnamedBitField(); });
+    if (record->isThisDeclarationADefinition() && !record->isInvalidDecl() && is_empty)
+      report(record->getLocation(), "a structure without members has another size in C++");
+    return true;
+  }
+  bool VisitTagDecl(TagDecl *tag) override {
+    if (!tag->getIdentifier() || blocks_.empty()) return true;
+    // A structure has entered its own block already.
+    std::size_t const depth = blocks_.size() - (isa<RecordDecl>(tag) ? 2 : 1);
+    if (depth < blocks_.size()) blocks_[depth].tags.insert(tag->getName());
+    return true;
+  }
+  bool VisitValueDecl(ValueDecl *declaration) override { return ordinary(declaration); }
+  bool VisitTypedefNameDecl(TypedefNameDecl *declaration) override { return ordinary(declaration); }
+
+  bool VisitDeclRefExpr(DeclRefExpr *use) override {
+    look_up(use->getDecl(), use->getLocation());
+    if (auto const *enumerator = dyn_cast<EnumConstantDecl>(use->getDecl()))
+      leave(enumerator, cast<EnumDecl>(enumerator->getDeclContext()), use->getLocation());
+    return true;
+  }
+  bool VisitTypedefTypeLoc(TypedefTypeLoc use) override {
+    look_up(use.getTypedefNameDecl(), use.getNameLoc());
+    return true;
+  }
+  bool VisitTagTypeLoc(TagTypeLoc use) override {
+    leave(use.getDecl(), use.getDecl(), use.getNameLoc());
+    return true;
+  }
+
+private:
+  struct Block {
+    Stmt const *block;
+    llvm::StringSet<> ordinary, tags;
+  };
+  class Entered {
+  public:
+    Entered(Scopes &scopes, Stmt const *block) : scopes_(scopes) { scopes_.blocks_.push_back({block, {}, {}}); }
+    ~Entered() { scopes_.blocks_.pop_back(); }
+    Entered(Entered const &) = delete;
+    Entered &operator=(Entered const &) = delete;
+
+  private:
+    Scopes &scopes_;
+  };
+
+  bool ordinary(NamedDecl const *declaration) {
+    if (declaration->getIdentifier() && !blocks_.empty() && !isa<FieldDecl>(declaration))
+      blocks_.back().ordinary.insert(declaration->getName());
+    return true;
+  }
+
+  void look_up(NamedDecl const *declaration, SourceLocation use) {
+    if (!declaration->getIdentifier()) return;
+    for (auto block = blocks_.rbegin(); block != blocks_.rend(); ++block) {
+      if (block->ordinary.contains(declaration->getName())) return;
+      if (block->tags.contains(declaration->getName()))
+        return report(use, "'" + declaration->getName().str() + "' is a tag here in C++, which hides the other name");
+    }
+  }
+
+  // Reports a use of a name that a structure declares, outside of it: in C++ it is a member, or another declaration.
+  void leave(NamedDecl const *declaration, TagDecl const *tag, SourceLocation use) {
+    auto const *record = dyn_cast<RecordDecl>(tag->getLexicalDeclContext());
+    if (!record || !declaration->getIdentifier()) return;
+    for (RecordDecl const *outer : records_)
+      if (outer->getCanonicalDecl() == record->getCanonicalDecl()) return;
+    for (NamedDecl const *other : context_.getTranslationUnitDecl()->lookup(declaration->getDeclName()))
+      if (other->getCanonicalDecl() != declaration->getCanonicalDecl())
+        return report(use, "'" + declaration->getName().str() + "' is declared in a structure, and is another in C++");
+    std::string words;
+    for (auto const *outer = record; outer; outer = dyn_cast<RecordDecl>(outer->getLexicalDeclContext())) {
+      TypedefNameDecl const *alias = outer->getTypedefNameForAnonDecl();
+      if (outer->isAnonymousStructOrUnion()) continue; // its names are those of the structure around it
+      if (!alias && !outer->getIdentifier())
+        return report(use, "'" + declaration->getName().str() + "' is declared in a structure without a name");
+      words.insert(0, (alias ? alias->getName() : outer->getName()).str() + "::");
+    }
+    if (!map_.in_roots(use)) return;
+    if (std::optional<Span> const token = map_.token(use, declaration->getName()))
+      facts_.wraps.insert({*token, Use::before, words});
+  }
+
+  std::vector<Block> blocks_;
+  std::vector<RecordDecl const *> records_;
+};
+
 } // namespace
 
 void collect_c_names(ASTContext &context, SourceMap const &map, Facts &facts) {
   if (!map.language().CPlusPlus) Names(context, map, facts).TraverseDecl(context.getTranslationUnitDecl());
+}
+
+void collect_c_declarations(ASTContext &context, SourceMap const &map, Facts &facts) {
+  if (!map.language().CPlusPlus) Scopes(context, map, facts).TraverseDecl(context.getTranslationUnitDecl());
 }
 
 } // namespace symreal::rewrite

@@ -1,10 +1,9 @@
 // Base of the walks that rewrite constructs of C that C++ does not allow.
 #pragma once
 
-#include "rewrite/facts/facts.h"
-#include "rewrite/source/clang.h"
 #include "rewrite/source/source_map.h"
 #include "rewrite/source/walk.h"
+#include "rewrite/text/source_text.h"
 
 namespace symreal::rewrite {
 
@@ -32,9 +31,10 @@ public:
         facts_(facts) {}
 
   bool TraverseDecl(clang::Decl *declaration) override {
-    bool const is_outside = declaration && !clang::isa<clang::TranslationUnitDecl>(declaration) &&
-                            declaration->getLexicalDeclContext()->isFileContext() &&
-                            !map_.in_roots(declaration->getLocation());
+    bool const is_outside =
+        declaration &&
+        !clang::isa<clang::TranslationUnitDecl, clang::NamespaceDecl, clang::LinkageSpecDecl>(declaration) &&
+        declaration->getLexicalDeclContext()->isFileContext() && !map_.in_roots(declaration->getLocation());
     return is_outside || Walk::TraverseDecl(declaration);
   }
 
@@ -53,6 +53,12 @@ protected:
   // Whether an earlier rewriting has put the location into text that only C reads.
   bool is_rewritten(clang::SourceLocation location) const {
     return map_.is_argument_of(location, "REAL_EITHER") || map_.is_argument_of(location, "REAL_ONLY");
+  }
+
+  std::string printed(clang::QualType type) const {
+    clang::PrintingPolicy policy(context_.getLangOpts());
+    policy.Bool = true;
+    return with_real(type.getAsString(policy));
   }
 
   // The next raw token; `unknown` at the end of a macro.

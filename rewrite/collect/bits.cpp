@@ -1,21 +1,13 @@
 // Uses of the bytes of a REAL: unions, casts of pointers, functions that move bytes. A node must not be taken for the
 // bytes of its value; where only the run can tell, it is asked.
 #include "rewrite/collect/collector.h"
-#include "rewrite/model/byte_functions.h"
 #include "rewrite/model/library.h"
-#include "rewrite/model/text_functions.h"
 #include "rewrite/text/pragma_text.h"
 
 #include <clang/AST/ParentMapContext.h>
 
 namespace symreal::rewrite {
 using namespace clang;
-
-bool moves_bytes(FunctionDecl const *function) {
-  llvm::StringRef name = function->getDeclName().isIdentifier() ? function->getName() : "operator delete";
-  if (name.consume_front("__builtin_")) name.consume_back("_chk");
-  return library::has(name, library::MOVES_BYTES);
-}
 
 // The address of an object goes to a function outside the roots that takes any.
 void Collector::given_bytes(FunctionDecl const *function, unsigned index, Expr const *argument) {
@@ -307,6 +299,21 @@ bool Collector::moved_bytes(CallExpr const *call, FunctionDecl const *function) 
   detail.append(", ").append(in_quotes(to_string(map_.place(call->getBeginLoc()))));
   facts_.wraps.insert({*span, Use::bytes, detail});
   return !llvm::StringRef(how).ends_with("_bytes");
+}
+
+// Inline assembly works on its operands' bytes. A memory operand lacks a conversion that shows a use of its value.
+void Collector::assembly(GCCAsmStmt const *assembly) {
+  auto const refuse = [&](Expr const *operand) {
+    if (reals_.carries_real(operand->getType()))
+      report(DiagnosticId::boundary_call, operand->getBeginLoc(), "a REAL is an operand of assembly");
+  };
+  for (Expr const *operand : assembly->outputs()) refuse(operand);
+  for (Expr const *operand : assembly->inputs()) refuse(operand);
+  for (unsigned k = 0; k < assembly->getNumOutputs(); ++k)
+    if (Expr const *operand = assembly->getOutputExpr(k); ScalarState::is_scalar(operand->getType()))
+      scalar(operand, assembly->isOutputPlusConstraint(k) ? Use::read : Use::written);
+  for (Expr const *operand : assembly->inputs())
+    if (operand->isGLValue() && ScalarState::is_scalar(operand->getType())) scalar(operand, Use::read);
 }
 
 } // namespace symreal::rewrite

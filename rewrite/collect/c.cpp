@@ -1,7 +1,7 @@
 // Constructs of C that C++ does not allow and that a cast alone cannot convert.
 #include "rewrite/collect/collector.h"
 #include "rewrite/model/library.h"
-#include "rewrite/source/keyword_names.h"
+#include "rewrite/source/token_watch.h"
 #include "rewrite/text/pragma_text.h"
 
 #include <clang/Basic/Builtins.h>
@@ -31,6 +31,23 @@ bool is_null(ImplicitCastExpr const *cast, SourceMap const &map, LangOptions con
   SourceLocation const begin = cast->getSubExpr()->getBeginLoc();
   return cast->getCastKind() == CK_NullToPointer && begin.isMacroID() &&
          Lexer::getImmediateMacroName(begin, map.sources(), language) == "NULL";
+}
+
+constexpr char const *opens_declaration = "SYMREAL_REAL_EITHER((static), extern \"C++\" { namespace { extern)";
+constexpr char const *opens_definition = "SYMREAL_REAL_EITHER((static), extern \"C++\" { namespace {)";
+constexpr char const *closes = "; SYMREAL_REAL_EITHER((), }})";
+
+std::vector<VarDecl const *> definitions_of(VarDecl const *variable, ASTContext &context) {
+  std::vector<VarDecl const *> found;
+  for (VarDecl const *one : variable->redecls())
+    if (one->isThisDeclarationADefinition(context) != VarDecl::DeclarationOnly) found.push_back(one);
+  return found;
+}
+
+// Whether the written initialiser covers one element whole, rather than the first of the element's own.
+bool is_whole(Expr const *written, QualType element) {
+  return !element->isAggregateType() || isa<InitListExpr, StringLiteral>(written->IgnoreParens()) ||
+         written->getType()->isRecordType();
 }
 
 } // namespace
@@ -171,6 +188,94 @@ void Collector::c_search(CallExpr const *call) {
   QualType const pointee = as_pointer(searched)->getType()->getPointeeType();
   bool const is_literal = isa<StringLiteral>(searched->IgnoreParenImpCasts()); // whose characters are const in C++ only
   if (is_literal || (!pointee.isNull() && pointee.isConstQualified())) wrap(call, Use::cast, spelled(call->getType()));
+}
+
+// File-scope variables of C whose rules differ in C++: constants have external linkage. Tentative definitions: C lets a
+// file define a variable several times, with at most one initialiser. For C++ all but one become declarations. A static
+// one is declared in an unnamed namespace, which gives it the same linkage.
+void Collector::tentative_definitions(VarDecl const *variable) {
+  if (!variable->isFileVarDecl() || !variable->isFirstDecl()) return;
+  std::vector<VarDecl const *> const all = definitions_of(variable, context_);
+  bool const is_constant = context_.getBaseElementType(variable->getType()).isConstQualified();
+  if (all.size() == 1 && is_constant && variable->getStorageClass() == SC_None) declare_external(variable);
+  if (all.size() < 2) return;
+  VarDecl const *definition = variable->getDefinition(context_);
+  if (!definition) definition = variable->getActingDefinition();
+  for (VarDecl const *one : all)
+    if (!tentative_definition(one, one == definition))
+      report(DiagnosticId::c_source, one->getLocation(),
+             "'" + one->getNameAsString() + "' is defined more than once, and here not by a line of its own");
+}
+
+// Adds `extern` to a constant with external linkage in C.
+bool Collector::declare_external(VarDecl const *variable) {
+  auto const [file, offset] = map_.sources().getDecomposedExpansionLoc(variable->getBeginLoc());
+  std::optional<Span> const all = map_.range(variable->getSourceRange());
+  if (!all || all->begin != offset) return false; // within a macro
+  std::string_view const text = map_.sources().getBufferData(file);
+  if (!text.substr(0, all->begin).ends_with("REAL_EITHER((), extern) ")) // from the rewriting before
+    facts_.wraps.insert({{all->file, all->begin, all->begin + 1}, Use::declared, ""});
+  return true;
+}
+
+// Whether the definition stands alone, as `static type name = ...;`, so that the words around it can be changed.
+bool Collector::tentative_definition(VarDecl const *variable, bool is_definition) {
+  bool const is_static = variable->getStorageClass() == SC_Static;
+  SourceLocation const begin = variable->getBeginLoc();
+  if (map_.is_argument_of(begin, "REAL_EITHER")) return true; // from the rewriting before
+  if (is_definition && !is_static) return true;
+  for (Decl const *other : context_.getTranslationUnitDecl()->decls())
+    if (other != variable && other->getBeginLoc() == begin && isa<DeclaratorDecl>(other)) return false;
+  std::optional<Token> const next = Lexer::findNextToken(variable->getEndLoc(), map_.sources(), map_.language());
+  if (!next || next->isNot(tok::semi)) return false;
+  if (!is_static) return declare_external(variable);
+  std::optional<Span> const first = map_.token(begin, "static"), last = map_.token(next->getLocation(), ";");
+  if (!first || !last) return false;
+  facts_.types.insert({*first, is_definition ? opens_definition : opens_declaration});
+  facts_.types.insert({*last, closes});
+  return true;
+}
+
+// C++ requires designators in the order of the members, one name each. Those of arrays compile if they skip nothing;
+// skipped elements are written out.
+void Collector::designators(InitListExpr const *list) {
+  if (map_.language().CPlusPlus) return;
+  InitListExpr const *written = list->isSemanticForm() ? list->getSyntacticForm() : list;
+  if (!written) return;
+  ArrayType const *array = context_.getAsArrayType(list->getType());
+  bool is_counted = array != nullptr;
+  std::uint64_t next = 0;
+  for (Expr const *element : written->inits()) {
+    if (auto const *designated = dyn_cast_or_null<DesignatedInitExpr>(element)) {
+      DesignatedInitExpr::Designator const *first = designated->getDesignator(0);
+      FieldDecl const *field = first->isFieldDesignator() ? first->getFieldDecl() : nullptr;
+      Expr::EvalResult index;
+      bool in_order = field && field->getFieldIndex() >= next;
+      if (first->isArrayDesignator() && designated->getArrayIndex(*first)->EvaluateAsInt(index, context_))
+        in_order = fill(*designated, index.Val.getInt().getLimitedValue(), next, is_counted);
+      if (designated->size() != 1 || !in_order)
+        return report(DiagnosticId::c_source, designated->getBeginLoc(),
+                      "C++ has designators in the order of the members, and one at a time");
+      if (field) next = field->getFieldIndex();
+      element = designated->getInit();
+    }
+    is_counted = is_counted && element && is_whole(element, array->getElementType());
+    ++next;
+  }
+}
+
+// The elements between `next` and the designated one, which becomes the next. False where they cannot be written.
+bool Collector::fill(DesignatedInitExpr const &designated, std::uint64_t index, std::uint64_t &next, bool is_counted) {
+  constexpr std::uint64_t most = 4096;
+  if (index == next) return true;
+  if (!is_counted || index < next || index - next > most) return false;
+  std::string zeros;
+  for (; next < index; ++next) zeros += "{}, ";
+  SourceLocation const begin = designated.getBeginLoc();
+  if (map_.is_argument_of(begin, "REAL_EITHER")) return true;
+  std::optional<Span> const span = map_.range({begin, designated.getEqualOrColonLoc()});
+  if (span) facts_.wraps.insert({*span, Use::instead, zeros});
+  return span.has_value();
 }
 
 } // namespace symreal::rewrite

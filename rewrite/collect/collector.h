@@ -2,7 +2,7 @@
 #pragma once
 
 #include "rewrite/facts/facts.h"
-#include "rewrite/model/named_variables.h"
+#include "rewrite/model/effects.h"
 #include "rewrite/model/reals.h"
 #include "rewrite/model/scalar_state.h"
 #include "rewrite/model/storage.h"
@@ -76,14 +76,15 @@ public:
   void choice(clang::ConditionalOperator const *choice);
   void constant_initializer(clang::Expr const *initializer);
   void deduced_variable(clang::VarDecl const *variable);
-  void deduced_return(clang::Stmt const *body);
+  void deduced_return(clang::FunctionDecl const *function);
   void deduced_elements(clang::Expr const *initializer);
   // A function whose declaration text is part of the program: __PRETTY_FUNCTION__, which assert prints.
   void printed_signature(clang::FunctionDecl const *function);
-  // The original name of a type (type_names.cpp).
+  // The original name of a type (types.cpp).
   void type_asked(clang::CXXTypeidExpr const *type);
   void type_asked(clang::CXXMemberCallExpr const *call);
   void signature_asked(clang::PredefinedExpr const *name, clang::FunctionDecl const *function);
+  // Constructs of C that C++ does not allow (c.cpp).
   void c_declaration(clang::NamedDecl const *declaration);
   bool is_pointer_of_c(clang::ImplicitCastExpr const *cast) const;
   void c_search(clang::CallExpr const *call);
@@ -102,15 +103,15 @@ public:
   void c_control(clang::Expr const *control);
   void c_literal(clang::IntegerLiteral const *literal);
   clang::QualType counted_as(clang::Expr const *enumeration) const;
-  // Bit-fields that are wider than int (c_widths.cpp).
+  // Bit-fields that are wider than int.
   void c_widths(clang::BinaryOperator const *operation);
   void c_widths(clang::UnaryOperator const *operation);
   void c_widths(clang::ConditionalOperator const *choice);
-  // Bit-fields that are narrower than int (narrow_fields.cpp).
+  // Bit-fields that are narrower than int.
   void narrow_fields(clang::AbstractConditionalOperator const *choice);
   void narrow_fields(clang::BinaryOperator const *operation);
 
-  // File-scope variables of C (tentative.cpp).
+  // File-scope variables of C (c.cpp).
   void tentative_definitions(clang::VarDecl const *variable);
   bool tentative_definition(clang::VarDecl const *variable, bool is_definition);
   bool declare_external(clang::VarDecl const *variable);
@@ -119,11 +120,11 @@ public:
   void assembly(clang::GCCAsmStmt const *assembly);
   void designators(clang::InitListExpr const *list);
 
-  // errno and the floating-point environment (environment.cpp).
+  // errno and the floating-point environment (library_calls.cpp).
   void environment_of_call(clang::CallExpr const *call);
   void error_read(clang::Expr const *value);
   void error_assigned(clang::BinaryOperator const *assignment);
-  // Results of library functions (outside.cpp).
+  // Results of library functions.
   void call_outside(clang::CallExpr const *call);
   void stream_asked(clang::CXXMemberCallExpr const *call);
 
@@ -135,11 +136,11 @@ public:
   void characters_of(clang::CXXForRangeStmt const *loop);
   void keeps_text(clang::QualType type);
 
-  // Value-dependent operations, for the report of a scan (dependence.cpp).
+  // Value-dependent operations, for the report of a scan (expressions.cpp).
   void conversion(clang::CastExpr const *cast);
   void comparison(clang::BinaryOperator const *comparison);
 
-  // Names of numbers (names.cpp).
+  // Names of numbers (collector.cpp).
   void named_variable(clang::VarDecl const *variable);
   void named_target(clang::BinaryOperator const *assignment);
 
@@ -175,7 +176,6 @@ private:
   bool has_operator(clang::OverloadedOperatorKind kind, clang::DeclContext const *from) const;
   void environment(clang::Expr const *expression, char const *what, std::string const &name);
   void shows(clang::CallExpr const *call, clang::FunctionDecl const *function);
-  void formatting(clang::CallExpr const *call, clang::FunctionDecl const *function);
   void formatted(clang::CallExpr const *call, clang::FunctionDecl const *function);
   // `only_looks`: takes the object only, whose characters may be read later.
   void reads_text(clang::SourceLocation reader, clang::Expr const *text, bool only_looks = false);
@@ -221,6 +221,8 @@ private:
   // `named`: the expression that supplies name and place, if it is another one. `words`: further arguments of the
   // macro, before them.
   void note(clang::Expr const *expression, Use use, clang::Expr const *named = nullptr, std::string const &words = "");
+  // On one line, and cut off where it is long.
+  std::string short_text(Span const &span, clang::SourceLocation at) const;
   bool may_outlive(clang::Expr const *expression) const;
   void scalar(clang::Expr const *expression, Use use);
   bool is_fixed(clang::Expr const *expression) const;

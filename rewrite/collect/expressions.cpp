@@ -1,46 +1,10 @@
+// Conversions of expressions, and what a scan reports of them.
 #include "rewrite/collect/collector.h"
+#include "rewrite/model/library.h"
 #include "rewrite/source/walk.h"
-#include "rewrite/text/pragma_text.h"
 
 namespace symreal::rewrite {
 using namespace clang;
-
-void Collector::wrap(Expr const *expression, Use use, std::string detail) {
-  wrap_for({}, expression, use, std::move(detail));
-}
-
-std::optional<Span> Collector::wrap_for(SourceLocation user, Expr const *expression, Use use, std::string detail) {
-  SourceLocation const begin = expression->getBeginLoc();
-  if (!map_.in_roots(begin)) return std::nullopt;
-  std::optional<Span> span = map_.range_for(user, expression->getSourceRange());
-  // The parentheses may be those of a library's macro around its argument.
-  for (Expr const *inner = expression; !span;) {
-    auto const *parens = dyn_cast<ParenExpr>(inner->IgnoreImplicit());
-    if (!parens) break;
-    inner = parens->getSubExpr();
-    span = map_.range(inner->getSourceRange());
-  }
-  if (span)
-    facts_.wraps.insert({*span, use, std::move(detail)});
-  else
-    report(DiagnosticId::split_expression, begin, "a macro makes a part of this expression, which needs a conversion");
-  return span;
-}
-
-void Collector::convert(Expr const *expression, Use use, std::string type) {
-  std::optional<Span> const span = wrap_for({}, expression, use, std::move(type));
-  if (span && map_.is_shared(expression->getSourceRange())) facts_.shared.insert(*span);
-}
-
-std::string Collector::spelled(QualType type) const {
-  while (auto const *named = type->getAs<TypedefType>()) {
-    if (named->getDecl()->getDeclContext()->getRedeclContext()->isTranslationUnit()) break;
-    type = named->desugar();
-  }
-  PrintingPolicy policy(map_.language());
-  policy.Bool = true; // C's _Bool is compiled as C++ where it matters
-  return with_real(type.getUnqualifiedType().getAsString(policy));
-}
 
 namespace {
 
@@ -168,8 +132,7 @@ void Collector::complex_literal(UserDefinedLiteral const *literal) {
       !map_.in_roots(literal->getBeginLoc()))
     return;
   if (auto const *type = dyn_cast_or_null<ClassTemplateSpecializationDecl>(literal->getType()->getAsCXXRecordDecl());
-      type && type->isInStdNamespace() && type->getName() == "complex" &&
-      Reals::is_double(type->getTemplateArgs()[0].getAsType()))
+      is_std_class(type, "complex") && Reals::is_double(type->getTemplateArgs()[0].getAsType()))
     wrap(literal, Use::conversion, "::std::complex<" + std::string(reserved_type_name) + ">");
 }
 
@@ -309,26 +272,10 @@ void Collector::deduced_variable(VarDecl const *variable) {
   if (is_plain_double(value)) wrap(value->IgnoreImpCasts(), Use::literal);
 }
 
-namespace {
-
-class Returns : public Walk {
-public:
-  bool TraverseLambdaExpr(LambdaExpr *) override { return true; }
-  bool TraverseCXXRecordDecl(CXXRecordDecl *) override { return true; }
-  bool VisitReturnStmt(ReturnStmt *statement) override {
-    if (Expr const *value = statement->getRetValue()) found.push_back(value);
-    return true;
-  }
-  std::vector<Expr const *> found;
-};
-
-} // namespace
-
-void Collector::deduced_return(Stmt const *body) {
-  Returns returns;
-  returns.TraverseStmt(const_cast<Stmt *>(body));
-  for (Expr const *value : returns.found)
-    if (is_plain_double(value)) wrap(value->IgnoreImpCasts(), Use::literal);
+void Collector::deduced_return(FunctionDecl const *function) {
+  for (ReturnStmt const *statement : returns_of(function))
+    if (Expr const *value = statement->getRetValue(); value && is_plain_double(value))
+      wrap(value->IgnoreImpCasts(), Use::literal);
 }
 
 void Collector::deduced_elements(Expr const *initializer) {
@@ -345,6 +292,50 @@ void Collector::deduced_elements(Expr const *initializer) {
     for (Stmt const *child : parens->children()) deduced_elements(cast<Expr>(child));
   else if (is_plain_double(initializer))
     wrap(initializer, Use::literal);
+}
+
+void Collector::conversion(CastExpr const *cast) {
+  Expr const *from = cast->getSubExpr();
+  bool const to_integer = cast->getCastKind() == CK_FloatingToIntegral;
+  if ((!to_integer && cast->getCastKind() != CK_FloatingCast) || cast->isTypeDependent() || !reals_.is_real(from))
+    return;
+  later([this, cast, from, to_integer] {
+    std::optional<Span> const span = map_.range(from->getSourceRange());
+    if (span && !compared_exactly_.contains(cast))
+      facts_.conversions.insert({*span, cast->getType().getUnqualifiedType().getAsString(map_.language()), to_integer});
+  });
+}
+
+// x == 0.L: the same as in double where the constant is a double.
+bool Collector::compares_exactly(Expr const *side, Expr const *constant) {
+  auto const *cast = dyn_cast<ImplicitCastExpr>(side->IgnoreParens());
+  if (!cast || !cast->getType()->isSpecificBuiltinType(BuiltinType::LongDouble)) return false;
+  llvm::APFloat value(0.);
+  if (!reals_.is_real(cast->getSubExpr()) || !constant->EvaluateAsFloat(value, context_)) return false;
+  bool is_rounded = false;
+  value.convert(llvm::APFloat::IEEEdouble(), llvm::APFloat::rmNearestTiesToEven, &is_rounded);
+  if (is_rounded) return false;
+  compared_exactly_.insert(cast);
+  wrap(constant->IgnoreImpCasts(), Use::literal);
+  return true;
+}
+
+void Collector::comparison(BinaryOperator const *comparison) {
+  if (comparison->isTypeDependent()) return;
+  Expr const *left = comparison->getLHS(), *right = comparison->getRHS();
+  for (Expr const *side : {left, right})
+    if (auto const *cast = dyn_cast<ImplicitCastExpr>(side); cast && cast->getType()->isPointerType()) {
+      compared_pointers_.insert(cast);
+      // C++ compares with void *, and const with non-const pointers. An operand lacks a context that implies its type.
+      QualType const from = cast->getSubExpr()->getType(), to = cast->getType();
+      if (is_pointer_of_c(cast) && !from->isVoidPointerType() &&
+          !context_.hasSameUnqualifiedType(from->getPointeeType(), to->getPointeeType()))
+        wrap(cast->getSubExpr(), Use::cast, spelled(cast->getType()));
+    }
+  if (!reals_.is_real(left) && !reals_.is_real(right) && !compares_exactly(left, right) &&
+      !compares_exactly(right, left))
+    return;
+  if (std::optional<Span> const span = map_.token(comparison->getOperatorLoc())) facts_.comparisons.insert(*span);
 }
 
 } // namespace symreal::rewrite

@@ -1,6 +1,5 @@
-#include "rewrite/collect/layouts.h"
+#include "rewrite/collect/walks.h"
 
-#include "rewrite/facts/merge.h"
 #include "rewrite/source/walk.h"
 
 #include <clang/AST/RecordLayout.h>

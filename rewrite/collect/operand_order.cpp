@@ -1,9 +1,7 @@
-#include "rewrite/collect/operand_order.h"
+#include "rewrite/collect/walks.h"
 
-#include "rewrite/facts/merge.h"
 #include "rewrite/model/context_walk.h"
 #include "rewrite/model/effects.h"
-#include "rewrite/model/named_variables.h"
 #include "rewrite/source/walk.h"
 
 namespace symreal::rewrite {

@@ -1,6 +1,6 @@
 // Uses of objects that may outlive a kernel: single numbers, and the names of objects.
 #include "rewrite/collect/collector.h"
-#include "rewrite/model/text_functions.h"
+#include "rewrite/model/library.h"
 #include "rewrite/text/pragma_text.h"
 
 namespace symreal::rewrite {
@@ -12,6 +12,13 @@ static bool is_library_macro(SourceLocation location, SourceMap const &map) {
   if (!sources.isMacroBodyExpansion(location)) return false;
   SourceLocation const spelled = sources.getSpellingLoc(location);
   return sources.getFileEntryRefForID(sources.getFileID(spelled)) && !map.in_roots(spelled);
+}
+
+std::string Collector::short_text(Span const &span, SourceLocation at) const {
+  constexpr std::size_t longest = 60;
+  std::string text = normalised(map_.text(span, at));
+  if (text.size() > longest) text.replace(longest, std::string::npos, "...");
+  return text;
 }
 
 // Wraps the expression in a macro that reports its name and place.
@@ -28,11 +35,8 @@ void Collector::note(Expr const *expression, Use use, Expr const *named, std::st
            "a macro makes a part of this expression: cannot tell whether it uses hidden state", Severity::warning);
     return;
   }
-  constexpr std::size_t longest = 60;
   if (!named) named = expression;
-  std::optional<Span> const written = map_.range(named->getSourceRange());
-  std::string name = normalised(map_.text(written ? *written : *span, begin));
-  if (name.size() > longest) name.replace(longest, std::string::npos, "...");
+  std::string const name = short_text(map_.range(named->getSourceRange()).value_or(*span), begin);
   facts_.wraps.insert(
       {*span, use, words + in_quotes(name) + ", " + in_quotes(to_string(map_.place(named->getBeginLoc())))});
 }

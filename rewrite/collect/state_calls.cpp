@@ -2,7 +2,6 @@
 // noted at the call.
 #include "rewrite/collect/collector.h"
 #include "rewrite/model/library.h"
-#include "rewrite/model/text_functions.h"
 
 #include <llvm/ADT/StringSwitch.h>
 

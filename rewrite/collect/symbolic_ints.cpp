@@ -1,14 +1,28 @@
-#include "rewrite/collect/symbolic_ints.h"
-
-#include "rewrite/model/conditions.h"
+#include "engine/ops/operation.h"
+#include "rewrite/collect/walks.h"
+#include "rewrite/model/library.h"
 #include "rewrite/source/walk.h"
+#include "rewrite/text/pragma_text.h"
 
 #include <algorithm>
 
 namespace symreal::rewrite {
+using namespace clang;
+
 namespace {
 
-using namespace clang;
+// Calls `action` for each comparison of a loop's condition, where integers become plain: they are one number there, not
+// one decision in each iteration.
+void for_each_comparison(Expr const *condition, llvm::function_ref<void(BinaryOperator const *)> action) {
+  std::vector<Stmt const *> parts = {condition};
+  while (!parts.empty()) {
+    Stmt const *part = parts.back();
+    parts.pop_back();
+    if (!part || isa<LambdaExpr>(part)) continue;
+    if (auto const *binary = dyn_cast<BinaryOperator>(part); binary && binary->isComparisonOp()) action(binary);
+    for (Stmt const *child : part->children()) parts.push_back(child);
+  }
+}
 
 bool takes_references(CallExpr const *call) {
   FunctionDecl const *function = call->getDirectCallee();
@@ -184,18 +198,209 @@ private:
   Reals &reals_;
 };
 
-} // namespace
-
-void for_each_comparison(Expr const *condition, llvm::function_ref<void(BinaryOperator const *)> action) {
-  std::vector<Stmt const *> parts = {condition};
-  while (!parts.empty()) {
-    Stmt const *part = parts.back();
-    parts.pop_back();
-    if (!part || isa<LambdaExpr>(part)) continue;
-    if (auto const *binary = dyn_cast<BinaryOperator>(part); binary && binary->isComparisonOp()) action(binary);
-    for (Stmt const *child : part->children()) parts.push_back(child);
+// The indexed object of an element, such as `a` of a[i], an array, a pointer, std::array or std::vector; appends its
+// index. Null for any other expression.
+Expr const *subscripted(Expr const *expression, std::vector<Expr const *> &indices) {
+  expression = expression->IgnoreParenImpCasts();
+  if (auto const *subscript = dyn_cast<ArraySubscriptExpr>(expression)) {
+    if (subscript->isTypeDependent() || subscript->getBase() != subscript->getLHS()) return nullptr; // 2[tab]
+    indices.push_back(subscript->getIdx());
+    return subscript->getBase()->IgnoreParenImpCasts();
   }
+  auto const *call = dyn_cast<CXXOperatorCallExpr>(expression);
+  if (!call || call->getOperator() != OO_Subscript || call->getNumArgs() != 2) return nullptr;
+  auto const *record = call->getArg(0)->getType()->getAsCXXRecordDecl();
+  if (!is_std_class(record, "array") && !is_std_class(record, "vector")) return nullptr;
+  indices.push_back(call->getArg(1));
+  return call->getArg(0)->IgnoreParenImpCasts();
 }
+
+// Finds the elements that are more than read.
+class Writes : public Walk {
+public:
+  explicit Writes(SourceMap const &map) : map_(map) {}
+
+  std::set<Span> found;
+
+  bool VisitImplicitCastExpr(ImplicitCastExpr *cast) override {
+    if (cast->getCastKind() == CK_LValueToRValue) parts(cast->getSubExpr());
+    return true;
+  }
+  bool VisitArraySubscriptExpr(ArraySubscriptExpr *element) override { return element_of(element); }
+  bool VisitCXXOperatorCallExpr(CXXOperatorCallExpr *element) override { return element_of(element); }
+
+private:
+  // A parent is visited before its parts, and a row is a part of its element.
+  Expr const *parts(Expr const *element) {
+    std::vector<Expr const *> indices;
+    element = element->IgnoreParenImpCasts();
+    while (Expr const *whole = subscripted(element, indices)) {
+      known_.insert(element);
+      element = whole;
+    }
+    return element;
+  }
+
+  bool element_of(Expr const *element) {
+    if (known_.contains(element)) return true;
+    Expr const *whole = parts(element);
+    if (whole == element || !map_.in_roots(whole->getBeginLoc()) || !map_.is_shared(whole->getSourceRange()))
+      return true;
+    if (std::optional<Span> const span = map_.range(whole->getSourceRange())) found.insert(*span);
+    return true;
+  }
+
+  SourceMap const &map_;
+  llvm::SmallPtrSet<Expr const *, 16> known_;
+};
+
+// Texts of objects whose elements are assigned, or whose address is taken, somewhere in the source, in a macro or a
+// file that is included again: an expansion that reads elements there may write them elsewhere.
+std::set<Span> shared_and_written(std::vector<Decl *> const &declarations, SourceMap const &map) {
+  Writes writes(map);
+  for (Decl *declaration : declarations) writes.TraverseDecl(declaration);
+  return std::move(writes.found);
+}
+
+// Collects the elements read at a symbolic index, and the uses that need a plain integer.
+class IntegerUses : public Walk {
+public:
+  IntegerUses(std::vector<Decl *> const &declarations, Finder &finder, SourceMap const &map, Facts &facts, Reals &reals)
+      : declarations_(declarations),
+        finder_(finder),
+        map_(map),
+        facts_(facts),
+        reals_(reals) {}
+
+  void run() {
+    for (Decl *declaration : declarations_) TraverseDecl(declaration);
+  }
+
+  bool VisitImplicitCastExpr(ImplicitCastExpr *cast) override {
+    if (cast->getCastKind() != CK_LValueToRValue || !Reals::is_double(cast->getType())) return true;
+    std::vector<Expr const *> indices;
+    Expr const *element = cast->getSubExpr()->IgnoreParens(), *table = element;
+    while (Expr const *whole = subscripted(table, indices)) table = whole;
+    if (indices.empty() || indices.size() > 2 || !is_table(table->getType(), indices.size())) return true;
+    if (llvm::none_of(indices, [&](Expr const *index) { return finder_.depends(index); })) return true;
+    std::optional<Span> const span = map_.range(table->getSourceRange());
+    if (!span || (map_.is_shared(table->getSourceRange()) && is_written(*span))) return true;
+    std::string const name = normalised(map_.text(*span, table->getBeginLoc()));
+    facts_.wraps.insert(
+        {*span, Use::table, in_quotes(name) + ", " + in_quotes(to_string(map_.place(table->getBeginLoc())))});
+    reals_.add_table_load(element, table);
+    for (Expr const *index : indices) {
+      finder_.keep(index);
+      table_indices_.insert(index);
+    }
+    return true;
+  }
+
+  bool VisitCallExpr(CallExpr *call) override {
+    FunctionDecl const *function = call->getDirectCallee();
+    if (!function || is_std_function(function, {"min", "max", "clamp"})) return true;
+    if (computes_with_numbers(function)) {
+      for (Expr const *argument : call->arguments()) finder_.keep(argument);
+      return true;
+    }
+    // Streams have an operator for it; of the others these are indices.
+    auto const *operation = dyn_cast<CXXOperatorCallExpr>(call);
+    if (operation && operation->getOperator() != OO_Subscript && operation->getOperator() != OO_Call) return true;
+    unsigned const object = operation && isa<CXXMethodDecl>(function) ? 1 : 0;
+    for (unsigned i = object; i < call->getNumArgs(); ++i)
+      argument(call->getArg(i),
+               function->isVariadic() && i - object >= function->getNumParams() && !reals_.in_roots(function));
+    return true;
+  }
+  bool VisitCXXConstructExpr(CXXConstructExpr *construction) override {
+    for (Expr const *each : construction->arguments()) argument(each, false);
+    return true;
+  }
+  bool VisitForStmt(ForStmt *loop) override { return loop_condition(loop->getCond()); }
+  bool VisitWhileStmt(WhileStmt *loop) override { return loop_condition(loop->getCond()); }
+  bool VisitDoStmt(DoStmt *loop) override { return loop_condition(loop->getCond()); }
+  // A class and a number cannot be alternatives of `?:`.
+  bool VisitConditionalOperator(ConditionalOperator *choice) override {
+    if (!Reals::is_integer(choice->getType())) return true;
+    make_plain(choice->getTrueExpr());
+    make_plain(choice->getFalseExpr());
+    return true;
+  }
+
+private:
+  // Whether a mathematical function takes numbers only: an integer argument is converted.
+  bool computes_with_numbers(FunctionDecl const *function) const {
+    if (!reals_.is_math(function) || !Reals::is_double(function->getReturnType())) return false;
+    std::span<OperationInfo const> const table = operations();
+    return std::any_of(table.begin(), table.end(), [&](OperationInfo const &operation) {
+      return operation.form == Form::call && function->getName() == llvm::StringRef(operation.c);
+    });
+  }
+
+  // A printed argument stays symbolic; any other function is selected by the type of a plain integer, and a variadic
+  // one of the program may compute with it.
+  void argument(Expr const *argument, bool is_printed) {
+    if (table_indices_.contains(argument)) return;
+    if (!is_printed || !finder_.depends(argument)) return make_plain(argument);
+    finder_.keep(argument);
+    wrap(argument, Use::value, "");
+  }
+
+  bool loop_condition(Expr const *condition) {
+    for_each_comparison(condition, [&](BinaryOperator const *one) {
+      make_plain(one->getLHS());
+      make_plain(one->getRHS());
+    });
+    return true;
+  }
+
+  void make_plain(Expr const *expression) {
+    if (!reals_.is_symbolic_integer(expression)) return;
+    Expr const *written = Reals::spelled_integer(expression);
+    PrintingPolicy const policy(map_.language());
+    wrap(written, Use::conversion, written->getType().getUnqualifiedType().getAsString(policy));
+  }
+
+  void wrap(Expr const *expression, Use use, std::string detail) {
+    if (!map_.in_roots(expression->getBeginLoc())) return;
+    if (std::optional<Span> const span = map_.range(expression->getSourceRange()))
+      facts_.wraps.insert({*span, use, std::move(detail)});
+  }
+
+  // A table is a copy of its elements.
+  bool is_written(Span const &span) {
+    if (!written_) written_ = shared_and_written(declarations_, map_);
+    return written_->contains(span);
+  }
+
+  // Whether the object has contiguous elements, with this many indices.
+  static bool is_table(QualType type, std::size_t indices) {
+    for (std::size_t k = 0; k < indices; ++k) {
+      type = type.getNonReferenceType();
+      if (auto const *array = type->getAsArrayTypeUnsafe()) {
+        if (k > 0 && !isa<ConstantArrayType>(array)) return false;
+        type = array->getElementType();
+      } else if (k == 0 && type->isPointerType())
+        type = type->getPointeeType();
+      else {
+        auto const *record = dyn_cast_or_null<ClassTemplateSpecializationDecl>(type->getAsCXXRecordDecl());
+        if (!record || (k > 0 && record->getName() == "vector")) return false; // rows apart from each other
+        type = record->getTemplateArgs()[0].getAsType();
+      }
+    }
+    return Reals::is_double(type);
+  }
+
+  std::vector<Decl *> const &declarations_;
+  Finder &finder_;
+  SourceMap const &map_;
+  Facts &facts_;
+  Reals &reals_;
+  llvm::SmallPtrSet<Expr const *, 16> table_indices_;
+  std::optional<std::set<Span>> written_;
+};
+
+} // namespace
 
 void collect_symbolic_ints(ASTContext &context, SourceMap const &map, Facts &facts, Reals &reals) {
   Uses uses;
@@ -207,9 +412,7 @@ void collect_symbolic_ints(ASTContext &context, SourceMap const &map, Facts &fac
   uses.finish();
   Finder finder(map, facts, reals);
   finder.find(uses);
-  auto const depends = [&](Expr const *expression) { return finder.depends(expression); };
-  auto const keep = [&](Expr const *expression) { finder.keep(expression); };
-  collect_integer_uses(context, declarations, depends, keep, map, facts, reals);
+  IntegerUses(declarations, finder, map, facts, reals).run();
 }
 
 } // namespace symreal::rewrite

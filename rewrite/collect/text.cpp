@@ -1,7 +1,7 @@
 // Text made of REALs, and text that is read: the text of a symbolic value must not be read back, since it belongs to
 // one run. Text that only leaves the program is unrestricted.
 #include "rewrite/collect/collector.h"
-#include "rewrite/model/text_functions.h"
+#include "rewrite/model/library.h"
 #include "rewrite/text/pragma_text.h"
 
 namespace symreal::rewrite {
@@ -109,16 +109,10 @@ void Collector::reads_text(SourceLocation reader, Expr const *text, bool only_lo
   if (!map_.in_roots(begin)) return;
   std::optional<Span> span = map_.range_for(reader, text->getSourceRange());
   if (!span) return; // in the body of a library's macro
-  constexpr std::size_t longest = 60;
-  std::string name = normalised(map_.text(*span, begin));
-  if (name.size() > longest) name.replace(longest, std::string::npos, "...");
   if (!only_looks && !is_source(text->getType()) && !is_character(text->getType())) decides(text);
-  facts_.wraps.insert(
-      {*span, Use::text, (only_looks ? "nullptr" : in_quotes(name)) + ", " + in_quotes(to_string(map_.place(begin)))});
-}
-
-void Collector::formatting(CallExpr const *call, FunctionDecl const *function) {
-  later([this, call, function] { formatted(call, function); });
+  facts_.wraps.insert({*span, Use::text,
+                       (only_looks ? "nullptr" : in_quotes(short_text(*span, begin))) + ", " +
+                           in_quotes(to_string(map_.place(begin)))});
 }
 
 void Collector::formatted(CallExpr const *call, FunctionDecl const *function) {
@@ -209,7 +203,7 @@ void Collector::text_of_call(CallExpr const *call) {
     else
       each(0, function->isVariadic() ? function->getNumParams() : call->getNumArgs());
   } else if (use != TextUse::none)
-    formatting(call, function);
+    later([this, call, function] { formatted(call, function); });
   else if (function->isInStdNamespace() && function->getIdentifier() && function->getName() == "to_string" &&
            call->getNumArgs() == 1 &&
            (call->getArg(0)->isTypeDependent() || reals_.is_real(call->getArg(0)) || may_be_truth(call->getArg(0))))

@@ -1,16 +1,45 @@
+// The types that a source spells, and the questions of a program for the name of a type: typeid, related functions of
+// the standard library, and __PRETTY_FUNCTION__. A class replaces double, and the runtime returns the names of the
+// original.
 #include "rewrite/collect/collector.h"
-#include "rewrite/facts/merge.h"
+#include "rewrite/model/library.h"
 #include "rewrite/text/pragma_text.h"
 
 namespace symreal::rewrite {
 using namespace clang;
 
-void Collector::report(DiagnosticId id, SourceLocation location, std::string message, std::optional<Severity> unusual) {
-  Diagnostic diagnostic{id, map_.place(location), std::move(message), map_.expansions(location)};
-  if (instance_) diagnostic.notes.push_back(*instance_);
-  if (unusual) diagnostic.severity = *unusual;
-  add_diagnostic(facts_, diagnostic);
+namespace {
+
+// Eigen has an alias template beside each typedef (Vector3d, Vector3<double>) and names its class templates likewise
+// (Quaterniond, Quaternion<double>). Either has no comma, so that it survives a macro's argument list.
+std::string one_argument_template(TypedefNameDecl const *declaration) {
+  llvm::StringRef const name = declaration->getName();
+  if (!name.ends_with("d")) return {};
+  llvm::StringRef const stem = name.drop_back();
+  DeclContext const *scope = declaration->getDeclContext();
+  for (NamedDecl const *found : scope->lookup(&declaration->getASTContext().Idents.get(stem)))
+    if (auto const *pattern = dyn_cast<TemplateDecl>(found))
+      if (pattern->getTemplateParameters()->getMinRequiredArguments() == 1)
+        return (stem + "<" + reserved_type_name + ">").str();
+  return {};
 }
+
+bool is_of_std(Expr const *object, llvm::StringRef name) {
+  QualType const type = object->getType().getNonReferenceType();
+  return is_std_class((type->isPointerType() ? type->getPointeeType() : type)->getAsCXXRecordDecl(), name);
+}
+
+// The instantiation of a template, or with a number among the types of its parameters.
+bool shows_type(FunctionDecl const *function, Reals const &reals) {
+  for (DeclContext const *context = function; context && !context->isFileContext(); context = context->getParent()) {
+    auto const *one = dyn_cast<FunctionDecl>(context);
+    if (context->isDependentContext() || isa<ClassTemplateSpecializationDecl>(context)) return true;
+    if (one && (one->isTemplateInstantiation() || reals.mentions_real(one->getType()))) return true;
+  }
+  return false;
+}
+
+} // namespace
 
 void Collector::builtin_type(BuiltinTypeLoc type, Passive passive) {
   if (type.getTypePtr()->getKind() == BuiltinType::LongDouble)
@@ -43,24 +72,6 @@ void Collector::complex_type(ComplexTypeLoc type) {
     if (std::optional<Span> const span = map_.token(end)) facts_.types.insert({*span, "", complex_double});
   report(DiagnosticId::unconvertible_type, type.getBeginLoc(), "C's complex double has no symbolic counterpart");
 }
-
-namespace {
-
-// Eigen has an alias template beside each typedef (Vector3d, Vector3<double>) and names its class templates likewise
-// (Quaterniond, Quaternion<double>). Either has no comma, so that it survives a macro's argument list.
-std::string one_argument_template(TypedefNameDecl const *declaration) {
-  llvm::StringRef const name = declaration->getName();
-  if (!name.ends_with("d")) return {};
-  llvm::StringRef const stem = name.drop_back();
-  DeclContext const *scope = declaration->getDeclContext();
-  for (NamedDecl const *found : scope->lookup(&declaration->getASTContext().Idents.get(stem)))
-    if (auto const *pattern = dyn_cast<TemplateDecl>(found))
-      if (pattern->getTemplateParameters()->getMinRequiredArguments() == 1)
-        return (stem + "<" + reserved_type_name + ">").str();
-  return {};
-}
-
-} // namespace
 
 void Collector::typedef_name(TypedefNameDecl const *declaration, SourceLocation name, bool qualified,
                              bool within_type) {
@@ -108,6 +119,46 @@ void Collector::printed_signature(FunctionDecl const *function) {
     if (std::optional<Span> const span = map_.range({declaration->getOuterLocStart(), end}))
       facts_.printed.insert(*span);
   }
+}
+
+// `place`: as source text; empty for a mere comparison of types.
+void Collector::type_asked(SourceLocation user, Expr const *expression, std::string const &place) {
+  SourceLocation const begin = expression->getBeginLoc();
+  if (!map_.in_roots(begin) || !map_.language().CPlusPlus) return;
+  if (std::optional<Span> const span = map_.range_for(user, expression->getSourceRange())) {
+    facts_.wraps.insert({*span, Use::named, place});
+    return;
+  }
+  auto const *type = dyn_cast<CXXTypeidExpr>(expression); // in the body of a library's macro
+  if (type && type->isTypeOperand() && reals_.mentions_real(type->getTypeOperand(context_)))
+    report(DiagnosticId::split_expression, begin, "a macro makes a part of this expression, which needs a conversion");
+}
+
+void Collector::type_asked(CXXTypeidExpr const *type) { type_asked(type->getBeginLoc(), type, "nullptr"); }
+
+void Collector::type_asked(CXXMemberCallExpr const *call) {
+  CXXMethodDecl const *method = call->getMethodDecl();
+  if (!method || !method->getParent()->isInStdNamespace() || !method->getDeclName().isIdentifier()) return;
+  llvm::StringRef const asked = method->getName();
+  Expr const *object = call->getImplicitObjectArgument()->IgnoreParenImpCasts();
+  auto const named = [&](Expr const *expression) {
+    type_asked(call->getRParenLoc(), expression, in_quotes(to_string(map_.place(expression->getBeginLoc()))));
+  };
+  if (asked == "function_name" && is_of_std(object, "source_location")) return named(call);
+  // std::any::type(), std::function::target_type()
+  if (is_of_std(call, "type_info")) return type_asked(call->getRParenLoc(), call, "nullptr");
+  bool const is_type = is_of_std(object, "type_info") || is_of_std(object, "type_index");
+  if (!is_type || (asked != "name" && asked != "hash_code" && asked != "before")) return;
+  named(object);
+  for (Expr const *other : call->arguments()) named(other->IgnoreParenImpCasts());
+}
+
+void Collector::signature_asked(PredefinedExpr const *name, FunctionDecl const *function) {
+  if (!map_.language().CPlusPlus || name->getIdentKind() != PredefinedIdentKind::PrettyFunction) return;
+  if (!shows_type(function, reals_)) return;
+  std::optional<Span> const token = map_.token(name->getLocation(), "__PRETTY_FUNCTION__");
+  if (token && !map_.is_argument_of(name->getLocation(), "REAL_EITHER"))
+    facts_.wraps.insert({*token, Use::instead, "SYMREAL_SIGNATURE"});
 }
 
 } // namespace symreal::rewrite

@@ -1,6 +1,6 @@
 // Pointers to REALs that are taken for pointers to something else: who looks through them?
 #include "rewrite/collect/collector.h"
-#include "rewrite/model/byte_functions.h"
+#include "rewrite/model/library.h"
 
 #include <clang/AST/ParentMapContext.h>
 

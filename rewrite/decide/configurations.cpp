@@ -1,7 +1,5 @@
 #include "rewrite/decide/configurations.h"
 
-#include "rewrite/facts/merge.h"
-#include "rewrite/facts/spans.h"
 #include "rewrite/text/type_name.h"
 
 #include <algorithm>

@@ -2,7 +2,6 @@
 
 #include "rewrite/text/source_text.h"
 
-#include <algorithm>
 #include <set>
 
 namespace symreal::rewrite {

@@ -1,5 +1,3 @@
-#include "rewrite/facts/fact_text.h"
-
 #include "rewrite/facts/members.h"
 
 #include <algorithm>

@@ -4,14 +4,14 @@
 // fact twice and the sets drop the second.
 #pragma once
 
-#include "rewrite/facts/clause.h"
 #include "rewrite/facts/result.h"
-#include "rewrite/facts/use.h"
+#include "rewrite/facts/tables.h"
 
 #include <map>
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace symreal::rewrite {
@@ -278,5 +278,51 @@ struct Facts {
   bool broken = false;     // a source does not compile
   bool makes_text = false; // from REALs, where it could be read back
 };
+
+// Whether any of the sorted, disjoint spans overlaps this one.
+bool meets(std::set<Span> const &spans, Span const &span);
+
+std::string text_of(Span const &span, Facts const &facts);
+
+Place place_in(FileFact const &file, std::size_t offset);
+
+// Whether a macro around the expression would stand in an argument that becomes text. An expression may also hold the
+// whole macro call.
+bool is_quoted(Facts const &facts, Span const &expression);
+
+// Entry of Facts::definitions for a name that both the program and the C library define; with a file, if it has
+// internal linkage. A function or variable with external linkage is renamed in all sources if one defines it; else it
+// is the library's.
+std::string definition_of(std::string const &name, std::string const &file = {});
+
+bool is_defined(Facts const &facts, Wrap const &own_name);
+
+// A header that several sources include says the same each time.
+void add_diagnostic(Facts &facts, Diagnostic const &diagnostic);
+
+// Whether both list the same bases and fields. Their knowledge of these may differ.
+bool same_members(ClassFact const &one, ClassFact const &other);
+
+// Adds the facts of another source. The order of the sources matters only for facts about the same thing.
+void merge(Facts &facts, Facts &&other);
+void merge(Choices &choices, Choices &&others);
+
+// Facts as bytes, to be kept from run to run, and back: nullopt if the bytes are not those of facts, as far as that can
+// be detected.
+std::string to_bytes(Facts facts);
+std::optional<Facts> facts_of_bytes(std::string_view bytes);
+
+// Parts of a request, only for comparing two of them.
+std::string to_bytes(ConfiguredKernel kernel);
+std::string to_bytes(ConfiguredExternal external);
+
+// Facts as text (JSON with comments) and back, so that decisions on them can be tested without Clang. Throws
+// std::invalid_argument with the error and its place.
+//
+// A struct is an object of its members; a member that has the value of a struct just made is left out. A map is a list
+// of pairs, a use or clause its name, another enumeration its number, and flags by offset are the lengths of their
+// runs, the first of those that do not hold.
+std::string to_text(Facts facts);
+Facts facts_of_text(std::string const &text);
 
 } // namespace symreal::rewrite

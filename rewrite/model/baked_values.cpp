@@ -1,12 +1,8 @@
-#include "rewrite/model/baked_values.h"
-
-#include "rewrite/model/scalar_state.h"
-
+#include "rewrite/model/library.h"
 #include "rewrite/model/object_layout.h"
-#include "rewrite/model/plain_declaration.h"
+#include "rewrite/model/scalar_state.h"
+#include "rewrite/model/signature.h"
 #include "rewrite/source/walk.h"
-
-#include <clang/AST/RecordLayout.h>
 
 #include <algorithm>
 #include <set>
@@ -16,20 +12,16 @@ namespace {
 
 using namespace clang;
 
-bool is_standard(CXXRecordDecl const *record, llvm::StringRef name) {
-  return record && record->isInStdNamespace() && record->getIdentifier() && record->getName() == name;
-}
-
 bool is_double(QualType type) { return type->isSpecificBuiltinType(BuiltinType::Double); }
 
 bool is_function_pointer(QualType type) {
   return type->isFunctionPointerType() || type->isMemberPointerType() ||
-         is_standard(type->getAsCXXRecordDecl(), "function");
+         is_std_class(type->getAsCXXRecordDecl(), "function");
 }
 
 // Element type of a container indexed by number; null for maps, whose operator[] creates elements.
 QualType element_in(CXXRecordDecl const *record) {
-  if (is_standard(record, "map") || is_standard(record, "unordered_map")) return {};
+  if (is_std_class(record, "map") || is_std_class(record, "unordered_map")) return {};
   return record && record->hasDefinition() ? element_of(record->getDefinition()) : QualType();
 }
 
@@ -41,7 +33,7 @@ bool has_inner_extents(CXXRecordDecl const *record) {
   if (!inner)
     return is_double(element.getNonReferenceType().getCanonicalType().getUnqualifiedType()) &&
            !record->isInStdNamespace();
-  for (QualType next = element; inner && !is_standard(inner, "complex"); inner = next->getAsCXXRecordDecl()) {
+  for (QualType next = element; inner && !is_std_class(inner, "complex"); inner = next->getAsCXXRecordDecl()) {
     next = element_in(inner);
     if (next.isNull()) return false;
     next = next.getNonReferenceType();
@@ -54,7 +46,7 @@ bool has_inner_extents(CXXRecordDecl const *record) {
 bool is_opaque(CXXRecordDecl const *record) {
   constexpr llvm::StringLiteral names[] = {"optional", "variant", "any",  "map",        "unordered_map",
                                            "multimap", "set",     "list", "shared_ptr", "unique_ptr"};
-  return llvm::any_of(names, [record](llvm::StringRef name) { return is_standard(record, name); });
+  return llvm::any_of(names, [record](llvm::StringRef name) { return is_std_class(record, name); });
 }
 
 // Whether the type is a pointer to constant numbers, whose address means nothing in another program.
@@ -71,16 +63,11 @@ bool is_value_of_library(CXXRecordDecl const *record, ASTContext const &context)
   return ScalarState::is_copied(record->getDefinition());
 }
 
-bool is_text(QualType type) {
-  QualType const to = type->getPointeeType();
-  return !to.isNull() && to.isConstQualified() && to->isCharType();
-}
-
 // Reason why a parameter that no clause names cannot be compared; empty if it can be, or need not.
 std::string obstacle_of(QualType type, ASTContext const &context) {
   QualType const plain = type.getNonReferenceType();
   CXXRecordDecl const *record = plain->getAsCXXRecordDecl();
-  bool const has_one_value = is_standard(record, "type_info") || is_standard(record, "atomic");
+  bool const has_one_value = is_std_class(record, "type_info") || is_std_class(record, "atomic");
   if (is_opaque(record) || has_one_value || (record && is_value_of_library(record, context)))
     return "it is a " + record->getQualifiedNameAsString();
   if (QualType const to = plain->getPointeeType(); !to.isNull() && to.isConstQualified() && to->isAnyCharacterType())
@@ -287,13 +274,13 @@ private:
     record = record->getDefinition();
     if (!record) return "";
     if (auto const *derived = dyn_cast<CXXRecordDecl>(record)) {
-      if (is_standard(derived, "complex")) return is_object ? "" : "@";
+      if (is_std_class(derived, "complex")) return is_object ? "" : "@";
       if (QualType const element = element_of(derived); !element.isNull()) {
         if (is_object && has_inner_extents(derived)) return "z";
         bool const is_number = is_double(element.getNonReferenceType().getCanonicalType().getUnqualifiedType());
         return is_number && is_object ? "" : "@";
       }
-      if (derived->isInStdNamespace() && !is_standard(derived, "pair")) {
+      if (derived->isInStdNamespace() && !is_std_class(derived, "pair")) {
         if (!is_object) reason = "it is a " + derived->getQualifiedNameAsString();
         return "";
       }
@@ -392,11 +379,11 @@ std::vector<Baked> baked_values(FunctionDecl const *function, std::vector<BakedI
     if (name.empty() || !parameter->isReferenced() || is_item) continue;
     QualType const plain = type.getNonReferenceType();
     CXXRecordDecl const *record = plain->getAsCXXRecordDecl();
-    bool const is_string = is_standard(record, "basic_string") || is_standard(record, "basic_string_view");
+    bool const is_string = is_std_class(record, "basic_string") || is_std_class(record, "basic_string_view");
     std::string const obstacle = obstacle_of(type, function->getASTContext());
     if (is_function_pointer(plain) || plain->isFunctionType() || is_string)
       add({name, name, {}, is_string ? "@" : "f", false, place});
-    else if (is_text(type))
+    else if (is_constant_text(type))
       add({name, name, {}, "s", false, place});
     else if (!element_in(record).isNull())
       add({name, name, {}, "z", false, place});
@@ -429,125 +416,6 @@ std::vector<Baked> baked_values(FunctionDecl const *function, std::vector<BakedI
   for (std::string const &comparison : mentioned.comparisons) add({comparison, comparison, {}, "c", false, place});
   for (std::string const &object : mentioned.virtual_on) add({object, object, {}, "t", false, place});
   return found;
-}
-
-namespace {
-
-// Whether all that an object consists of are numbers; the first member that is something else.
-std::string other_than_number(QualType type, ASTContext const &context) {
-  type = type.getCanonicalType().getUnqualifiedType();
-  if (auto const *array = context.getAsConstantArrayType(type))
-    return other_than_number(array->getElementType(), context);
-  RecordDecl const *record = type->getAsRecordDecl();
-  if (!record || !record->getDefinition()) return is_double(type) ? "" : type.getAsString();
-  if (auto const *derived = dyn_cast<CXXRecordDecl>(record->getDefinition())) {
-    if (is_standard(derived, "complex")) return "";
-    if (QualType const element = element_of(derived->getDefinition()); !element.isNull())
-      return other_than_number(element.getNonReferenceType(), context);
-    for (CXXBaseSpecifier const &base : derived->bases())
-      if (std::string const inner = other_than_number(base.getType(), context); !inner.empty()) return inner;
-    if (derived->isPolymorphic()) return "its virtual functions";
-  }
-  for (FieldDecl const *field : record->getDefinition()->fields()) {
-    std::string const inner = other_than_number(field->getType(), context);
-    if (!inner.empty())
-      return field->getType()->isRecordType() ? inner : "'" + field->getNameAsString() + "' (" + inner + ")";
-  }
-  return "";
-}
-
-bool may_be_made(CXXRecordDecl const *record) {
-  if (is_standard(record, "pair")) return true; // by a template
-  if (!record->hasDefaultConstructor()) return false;
-  if (record->needsImplicitDefaultConstructor()) return true;
-  return std::any_of(record->ctor_begin(), record->ctor_end(), [](CXXConstructorDecl const *one) {
-    return one->isDefaultConstructor() && !one->isDeleted() && one->getAccess() == AS_public;
-  });
-}
-
-bool has_public_members(CXXRecordDecl const *record) {
-  for (CXXBaseSpecifier const &base : record->bases())
-    if (auto const *inner = base.getType()->getAsCXXRecordDecl();
-        base.getAccessSpecifier() != AS_public || !inner || !has_public_members(inner->getDefinition()))
-      return false;
-  return std::all_of(record->field_begin(), record->field_end(), [](FieldDecl const *field) {
-    auto const *inner = field->getType()->getBaseElementTypeUnsafe()->getAsCXXRecordDecl();
-    bool const is_walked = inner && (is_standard(inner, "complex") || !element_of(inner->getDefinition()).isNull());
-    return field->getAccess() == AS_public && (!inner || is_walked || has_public_members(inner->getDefinition()));
-  });
-}
-
-// The members of an object that are not numbers, by their places.
-void add_others(QualType type, std::int64_t offset, ASTContext const &context, std::string &others) {
-  type = type.getCanonicalType().getUnqualifiedType();
-  std::int64_t const size = context.getTypeSizeInChars(type).getQuantity();
-  if (auto const *array = context.getAsConstantArrayType(type)) {
-    std::int64_t const each = context.getTypeSizeInChars(array->getElementType()).getQuantity();
-    for (std::int64_t at = 0; at < size && each != 0; at += each)
-      add_others(array->getElementType(), offset + at, context, others);
-    return;
-  }
-  auto const add = [&](std::string const &what) { others += what + "+" + std::to_string(offset) + ";"; };
-  bool const is_single = type->isSpecificBuiltinType(BuiltinType::Float);
-  if (is_text(type)) return add("t");
-  if (type->isPointerType()) return add("p");
-  if (type->isIntegralOrEnumerationType() || is_single) return add("b" + std::to_string(size));
-  RecordDecl const *record = type->getAsRecordDecl();
-  record = record ? record->getDefinition() : nullptr;
-  if (!record || record->isUnion()) return;
-  ASTRecordLayout const &layout = context.getASTRecordLayout(record);
-  auto const *derived = dyn_cast<CXXRecordDecl>(record);
-  constexpr std::int64_t text_size = 32; // of libstdc++
-  if (is_standard(derived, "basic_string") && size == text_size) return add("s");
-  if (derived && derived->isInStdNamespace() && !is_standard(derived, "pair") && !is_standard(derived, "array")) return;
-  if (derived)
-    for (CXXBaseSpecifier const &base : derived->bases())
-      if (auto const *shared = base.getType()->getAsCXXRecordDecl(); shared && !base.isVirtual() && !shared->isEmpty())
-        add_others(base.getType(), offset + layout.getBaseClassOffset(shared).getQuantity(), context, others);
-  for (FieldDecl const *field : record->fields())
-    if (!field->isBitField())
-      add_others(field->getType(),
-                 offset +
-                     static_cast<std::int64_t>(layout.getFieldOffset(field->getFieldIndex())) / context.getCharWidth(),
-                 context, others);
-}
-
-} // namespace
-
-ReturnedObject returned_object(FunctionDecl const *function) {
-  using Form = ReturnedObject::Form;
-  ASTContext const &context = function->getASTContext();
-  QualType const type = function->getReturnType();
-  ReturnedObject object;
-  if (type->isVoidType()) return object;
-  object.type = declared(type.getUnqualifiedType(), "", context);
-  // The copy of the source that has it is where it is named.
-  constexpr llvm::StringLiteral unwritten = "(anonymous namespace)::";
-  for (std::size_t at; (at = object.type.find(unwritten)) != object.type.npos;) object.type.erase(at, unwritten.size());
-  if (type->isReferenceType() || type->isPointerType())
-    object.obstacle = "it returns a " + std::string(type->isPointerType() ? "pointer" : "reference");
-  if (!object.obstacle.empty() || type->isDependentType()) return object;
-  if (type->isIntegralOrEnumerationType()) object.form = Form::integer;
-  if (type->isAnyComplexType()) object.obstacle = "it returns a complex number of C";
-  RecordDecl const *record = type->getAsRecordDecl();
-  if (!record || !record->getDefinition()) return object;
-  std::string const other = other_than_number(type, context);
-  if (!other.empty()) object.obstacle = "what it returns has more than numbers: " + other;
-  if (!type->isDependentType()) add_others(type, 0, context, object.others);
-  object.form = Form::members;
-  auto const *derived = dyn_cast<CXXRecordDecl>(record->getDefinition());
-  if (!derived || !object.obstacle.empty()) return object;
-  bool const is_walked = is_standard(derived, "complex") || !element_of(derived).isNull();
-  if (is_walked)
-    object.form = Form::walked;
-  else if (!has_public_members(derived) || !may_be_made(derived))
-    object.form = Form::bytes;
-  if (object.form == Form::walked && !may_be_made(derived))
-    object.obstacle = "what it returns cannot be made without arguments";
-  if (object.form == Form::bytes && !derived->isTriviallyCopyable())
-    object.obstacle =
-        "what it returns has private members or cannot be made without arguments, and cannot be copied as bytes";
-  return object;
 }
 
 } // namespace symreal::rewrite

@@ -121,11 +121,6 @@ bool asks_of_real(CallExpr const *call, Reals const &reals) {
 
 } // namespace
 
-bool is_std_function(FunctionDecl const *function, std::initializer_list<llvm::StringRef> names) {
-  if (!function->isInStdNamespace() || !function->getDeclName().isIdentifier()) return false;
-  return llvm::is_contained(names, function->getName());
-}
-
 bool Conditions::mentions_comparison(Expr const *expression) const {
   Comparisons comparisons(reals_);
   comparisons.TraverseStmt(const_cast<Expr *>(expression));

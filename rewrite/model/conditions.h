@@ -6,7 +6,6 @@
 #include "rewrite/source/clang.h"
 
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace symreal::rewrite {
@@ -23,9 +22,6 @@ struct Condition {
   std::optional<Blocker> blocker; // it is decided before the statement sees it
   std::vector<Alteration> joints; // && and || become REAL_AND and REAL_OR, beside which plain ones need REAL_PLAIN
 };
-
-// Whether the function is one of these of namespace std.
-bool is_std_function(clang::FunctionDecl const *function, std::initializer_list<llvm::StringRef> names);
 
 class Conditions {
 public:

@@ -1,16 +1,15 @@
 #include "rewrite/model/object_layout.h"
 
-#include "rewrite/model/plain_declaration.h"
-
+#include "rewrite/model/library.h"
 #include "rewrite/model/scalar_state.h"
+#include "rewrite/model/signature.h"
 
-#include <clang/AST/QualTypeNames.h>
 #include <clang/AST/RecordLayout.h>
 
 namespace symreal::rewrite {
-namespace {
-
 using namespace clang;
+
+namespace {
 
 std::string number(std::int64_t value) { return std::to_string(value); }
 
@@ -38,20 +37,6 @@ QualType element_by(CXXRecordDecl const *record, OverloadedOperatorKind kind, un
   });
   return method ? method->getReturnType().getNonReferenceType() : QualType();
 }
-
-bool is_standard(CXXRecordDecl const *record, llvm::StringRef name) {
-  return record->isInStdNamespace() && record->getIdentifier() && record->getName() == name;
-}
-
-} // namespace
-
-QualType element_of(CXXRecordDecl const *record) {
-  if (has_function(record, "rows") && has_function(record, "cols"))
-    if (QualType const element = element_by(record, OO_Call, 2); !element.isNull()) return element;
-  return has_function(record, "size") ? element_by(record, OO_Subscript, 1) : QualType();
-}
-
-namespace {
 
 class Description {
 public:
@@ -93,9 +78,7 @@ private:
 
   // Text is data of another kind.
   bool is_counted(QualType type) const {
-    bool const is_text = type->isAnyCharacterType() && !type->isSpecificBuiltinType(BuiltinType::SChar) &&
-                         !type->isSpecificBuiltinType(BuiltinType::UChar);
-    return ScalarState::is_integer(type) && !is_text && size(type) <= 8;
+    return ScalarState::is_integer(type) && !is_text_character(type) && size(type) <= 8;
   }
 
   bool of_record(RecordDecl const *record, QualType type, std::string const &path, std::string &text) {
@@ -105,11 +88,11 @@ private:
         if (reals_.mentions_real(type)) result_.pointers.push_back(path);
         return text += "o1", true;
       }
-      if (is_standard(derived, "complex")) return text += "[2]d", true;
-      if (is_standard(derived, "array")) return shape(derived->field_begin()->getType(), path, text);
+      if (is_std_class(derived, "complex")) return text += "[2]d", true;
+      if (is_std_class(derived, "array")) return shape(derived->field_begin()->getType(), path, text);
       if (QualType const element = element_of(derived); !element.isNull())
         return of_container(type, element, path, text);
-      bool const is_opaque = derived->isInStdNamespace() && !is_standard(derived, "pair");
+      bool const is_opaque = derived->isInStdNamespace() && !is_std_class(derived, "pair");
       if (is_opaque || (!reals_.in_roots(record) && !reals_.carries_real(type))) {
         if (reals_.mentions_real(type)) result_.pointers.push_back(path);
         return false;
@@ -176,7 +159,99 @@ private:
   DescribedObject &result_;
 };
 
+// Whether all that an object consists of are numbers; the first member that is something else.
+std::string other_than_number(QualType type, ASTContext const &context) {
+  type = type.getCanonicalType().getUnqualifiedType();
+  if (auto const *array = context.getAsConstantArrayType(type))
+    return other_than_number(array->getElementType(), context);
+  RecordDecl const *record = type->getAsRecordDecl();
+  if (!record || !record->getDefinition())
+    return type->isSpecificBuiltinType(BuiltinType::Double) ? "" : type.getAsString();
+  if (auto const *derived = dyn_cast<CXXRecordDecl>(record->getDefinition())) {
+    if (is_std_class(derived, "complex")) return "";
+    if (QualType const element = element_of(derived->getDefinition()); !element.isNull())
+      return other_than_number(element.getNonReferenceType(), context);
+    for (CXXBaseSpecifier const &base : derived->bases())
+      if (std::string const inner = other_than_number(base.getType(), context); !inner.empty()) return inner;
+    if (derived->isPolymorphic()) return "its virtual functions";
+  }
+  for (FieldDecl const *field : record->getDefinition()->fields()) {
+    std::string const inner = other_than_number(field->getType(), context);
+    if (!inner.empty())
+      return field->getType()->isRecordType() ? inner : "'" + field->getNameAsString() + "' (" + inner + ")";
+  }
+  return "";
+}
+
+bool may_be_made(CXXRecordDecl const *record) {
+  if (is_std_class(record, "pair")) return true; // by a template
+  if (!record->hasDefaultConstructor()) return false;
+  if (record->needsImplicitDefaultConstructor()) return true;
+  return std::any_of(record->ctor_begin(), record->ctor_end(), [](CXXConstructorDecl const *one) {
+    return one->isDefaultConstructor() && !one->isDeleted() && one->getAccess() == AS_public;
+  });
+}
+
+bool has_public_members(CXXRecordDecl const *record) {
+  for (CXXBaseSpecifier const &base : record->bases())
+    if (auto const *inner = base.getType()->getAsCXXRecordDecl();
+        base.getAccessSpecifier() != AS_public || !inner || !has_public_members(inner->getDefinition()))
+      return false;
+  return std::all_of(record->field_begin(), record->field_end(), [](FieldDecl const *field) {
+    auto const *inner = field->getType()->getBaseElementTypeUnsafe()->getAsCXXRecordDecl();
+    bool const is_walked = inner && (is_std_class(inner, "complex") || !element_of(inner->getDefinition()).isNull());
+    return field->getAccess() == AS_public && (!inner || is_walked || has_public_members(inner->getDefinition()));
+  });
+}
+
+// The members of an object that are not numbers, by their places.
+void add_others(QualType type, std::int64_t offset, ASTContext const &context, std::string &others) {
+  type = type.getCanonicalType().getUnqualifiedType();
+  std::int64_t const size = context.getTypeSizeInChars(type).getQuantity();
+  if (auto const *array = context.getAsConstantArrayType(type)) {
+    std::int64_t const each = context.getTypeSizeInChars(array->getElementType()).getQuantity();
+    for (std::int64_t at = 0; at < size && each != 0; at += each)
+      add_others(array->getElementType(), offset + at, context, others);
+    return;
+  }
+  auto const add = [&](std::string const &what) { others += what + "+" + std::to_string(offset) + ";"; };
+  bool const is_single = type->isSpecificBuiltinType(BuiltinType::Float);
+  if (is_constant_text(type)) return add("t");
+  if (type->isPointerType()) return add("p");
+  if (type->isIntegralOrEnumerationType() || is_single) return add("b" + std::to_string(size));
+  RecordDecl const *record = type->getAsRecordDecl();
+  record = record ? record->getDefinition() : nullptr;
+  if (!record || record->isUnion()) return;
+  ASTRecordLayout const &layout = context.getASTRecordLayout(record);
+  auto const *derived = dyn_cast<CXXRecordDecl>(record);
+  constexpr std::int64_t text_size = 32; // of libstdc++
+  if (is_std_class(derived, "basic_string") && size == text_size) return add("s");
+  if (derived && derived->isInStdNamespace() && !is_std_class(derived, "pair") && !is_std_class(derived, "array"))
+    return;
+  if (derived)
+    for (CXXBaseSpecifier const &base : derived->bases())
+      if (auto const *shared = base.getType()->getAsCXXRecordDecl(); shared && !base.isVirtual() && !shared->isEmpty())
+        add_others(base.getType(), offset + layout.getBaseClassOffset(shared).getQuantity(), context, others);
+  for (FieldDecl const *field : record->fields())
+    if (!field->isBitField())
+      add_others(field->getType(),
+                 offset +
+                     static_cast<std::int64_t>(layout.getFieldOffset(field->getFieldIndex())) / context.getCharWidth(),
+                 context, others);
+}
+
 } // namespace
+
+bool is_constant_text(QualType type) {
+  QualType const to = type->getPointeeType();
+  return !to.isNull() && to.isConstQualified() && to->isCharType();
+}
+
+QualType element_of(CXXRecordDecl const *record) {
+  if (has_function(record, "rows") && has_function(record, "cols"))
+    if (QualType const element = element_by(record, OO_Call, 2); !element.isNull()) return element;
+  return has_function(record, "size") ? element_by(record, OO_Subscript, 1) : QualType();
+}
 
 DescribedObject describe_object(QualType type, bool is_packed, ASTContext const &context, Reals const &reals) {
   DescribedObject result;
@@ -192,6 +267,42 @@ DescribedObject describe_object(QualType type, bool is_packed, ASTContext const 
   else
     result.layout.text = text;
   return result;
+}
+
+ReturnedObject returned_object(FunctionDecl const *function) {
+  using Form = ReturnedObject::Form;
+  ASTContext const &context = function->getASTContext();
+  QualType const type = function->getReturnType();
+  ReturnedObject object;
+  if (type->isVoidType()) return object;
+  object.type = declared(type.getUnqualifiedType(), "", context);
+  // The copy of the source that has it is where it is named.
+  constexpr llvm::StringLiteral unwritten = "(anonymous namespace)::";
+  for (std::size_t at; (at = object.type.find(unwritten)) != object.type.npos;) object.type.erase(at, unwritten.size());
+  if (type->isReferenceType() || type->isPointerType())
+    object.obstacle = "it returns a " + std::string(type->isPointerType() ? "pointer" : "reference");
+  if (!object.obstacle.empty() || type->isDependentType()) return object;
+  if (type->isIntegralOrEnumerationType()) object.form = Form::integer;
+  if (type->isAnyComplexType()) object.obstacle = "it returns a complex number of C";
+  RecordDecl const *record = type->getAsRecordDecl();
+  if (!record || !record->getDefinition()) return object;
+  std::string const other = other_than_number(type, context);
+  if (!other.empty()) object.obstacle = "what it returns has more than numbers: " + other;
+  if (!type->isDependentType()) add_others(type, 0, context, object.others);
+  object.form = Form::members;
+  auto const *derived = dyn_cast<CXXRecordDecl>(record->getDefinition());
+  if (!derived || !object.obstacle.empty()) return object;
+  bool const is_walked = is_std_class(derived, "complex") || !element_of(derived).isNull();
+  if (is_walked)
+    object.form = Form::walked;
+  else if (!has_public_members(derived) || !may_be_made(derived))
+    object.form = Form::bytes;
+  if (object.form == Form::walked && !may_be_made(derived))
+    object.obstacle = "what it returns cannot be made without arguments";
+  if (object.form == Form::bytes && !derived->isTriviallyCopyable())
+    object.obstacle =
+        "what it returns has private members or cannot be made without arguments, and cannot be copied as bytes";
+  return object;
 }
 
 } // namespace symreal::rewrite

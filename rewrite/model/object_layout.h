@@ -1,10 +1,11 @@
-// Layout texts: the places of the numbers and scalars of a structure, written down for the runtime.
+// Layout texts: the places of the numbers and scalars of a structure, written down for the runtime, and objects that a
+// wrapper returns.
 //
 // Programs in C, private members and packed ones allow access by offset only, so this is the one way into structures
 // for all programs that a kernel is built as: symbolic, replay and original lay them out alike (layouts.h).
 #pragma once
 
-#include "rewrite/facts/facts.h"
+#include "rewrite/facts/result.h"
 #include "rewrite/model/reals.h"
 #include "rewrite/source/clang.h"
 
@@ -23,5 +24,10 @@ DescribedObject describe_object(clang::QualType type, bool is_packed, clang::AST
 
 // Element type of a class that the runtime takes for a sequence or a matrix (<symreal/numbers.h>); else null.
 clang::QualType element_of(clang::CXXRecordDecl const *record);
+
+// Whether the type is a pointer to constant characters.
+bool is_constant_text(clang::QualType type);
+
+ReturnedObject returned_object(clang::FunctionDecl const *function);
 
 } // namespace symreal::rewrite

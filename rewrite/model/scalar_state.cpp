@@ -153,11 +153,6 @@ bool is_container(ClassTemplateSpecializationDecl const *record) {
          library::has("std", record->getName(), library::OWNS_SCALARS);
 }
 
-bool is_text(QualType type) {
-  return type->isAnyCharacterType() && !type->isSpecificBuiltinType(BuiltinType::SChar) &&
-         !type->isSpecificBuiltinType(BuiltinType::UChar);
-}
-
 } // namespace
 
 ScalarState::ScalarState(ASTContext &context, SourceMap const &map) : map_(map) {
@@ -257,12 +252,12 @@ bool ScalarState::holds(QualType type, llvm::SmallPtrSetImpl<Type const *> &seen
   if (is_scalar(type)) return true;
   if (!seen.insert(type.getTypePtr()).second) return false;
   if (auto const *array = type->getAsArrayTypeUnsafe())
-    return !is_text(array->getElementType()) && holds(array->getElementType(), seen);
+    return !is_text_character(array->getElementType()) && holds(array->getElementType(), seen);
   if (has_value_of_its_own(type)) return true;
   auto const *record = type->getAsRecordDecl();
   if (!record) return false;
   if (auto const *special = dyn_cast<ClassTemplateSpecializationDecl>(record); special && is_container(special)) {
-    return any_type_argument(special, [&](QualType one) { return !is_text(one) && holds(one, seen); });
+    return any_type_argument(special, [&](QualType one) { return !is_text_character(one) && holds(one, seen); });
   }
   record = map_.in_roots(record->getLocation()) ? record->getDefinition() : nullptr;
   if (!record || record->isUnion()) return false;

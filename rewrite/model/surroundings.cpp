@@ -2,7 +2,6 @@
 
 #include "rewrite/model/storage.h"
 #include "rewrite/source/walk.h"
-#include "rewrite/text/pragma_text.h"
 
 #include <algorithm>
 

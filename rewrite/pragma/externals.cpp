@@ -1,7 +1,6 @@
 #include "rewrite/pragma/externals.h"
 
-#include "rewrite/facts/merge.h"
-#include "rewrite/pragma/external_derivatives.h"
+#include "rewrite/source/walk.h"
 #include "rewrite/text/pragma_text.h"
 
 #include <algorithm>
@@ -61,6 +60,72 @@ Value scalar_or_object(QualType type, ASTContext const &context) {
   return wrong("is " + type.getAsString() + ", and neither a number, an integer nor made of doubles");
 }
 
+// `derivative(f_jacobian, f_hessian)` of a pragma `external`: whether each function has the form of the derivative of
+// the one before it. DerivativeFunction describes the form.
+class DerivativeForm {
+public:
+  // `given`: types of the input parameters; `numbers` and `results`: counts of the numbers in them and of the results;
+  // 0 if only a call determines them.
+  DerivativeForm(ASTContext &context, std::vector<QualType> given, std::size_t numbers, std::size_t results)
+      : context_(context),
+        given_(std::move(given)),
+        numbers_(numbers),
+        partials_(numbers * results) {}
+
+  // Error message if it cannot be the next derivative, else empty.
+  std::string add(FunctionDecl const *derivative) {
+    QualType const returned = derivative->getReturnType();
+    bool const is_returned = context_.hasSameUnqualifiedType(returned, context_.DoubleTy);
+    if (is_returned ? partials_ != 1 : !returned->isVoidType()) return form();
+    std::size_t const count = derivative->getNumParams();
+    if (count != given_.size() + (is_returned ? 0 : 1)) return form();
+    for (std::size_t i = 0; i < given_.size(); ++i)
+      if (!is_same_parameter(given_[i], derivative->getParamDecl(static_cast<unsigned>(i))->getType())) return form();
+    if (!is_returned) {
+      ParmVarDecl const *last = derivative->getParamDecl(static_cast<unsigned>(count - 1));
+      QualType const type = last->getType();
+      if (!type->isPointerType() || type->getPointeeType().isConstQualified() ||
+          !context_.hasSameType(context_.getBaseElementType(type->getPointeeType()), context_.DoubleTy))
+        return form();
+      auto const *decayed = type->getAs<DecayedType>();
+      auto const *array = decayed ? context_.getAsConstantArrayType(decayed->getOriginalType()) : nullptr;
+      if (array && partials_ != 0) {
+        std::uint64_t size = static_cast<std::uint64_t>(context_.getConstantArrayElementCount(array));
+        if (size != partials_) return form() + ", and its array has " + std::to_string(size) + " elements";
+      }
+    }
+    text_ += (is_returned ? " derivative returned " : " derivative ") + in_quotes(derivative->getNameAsString());
+    partials_ *= numbers_;
+    return {};
+  }
+  // Text of the derivatives for the graph.
+  std::string const &text() const { return text_; }
+
+private:
+  // A derivative takes pointers to const, even for the function's output parameters.
+  bool is_same_parameter(QualType wanted, QualType found) const {
+    if (!wanted->isPointerType() || !found->isPointerType())
+      return context_.hasSameUnqualifiedType(wanted.getCanonicalType(), found.getCanonicalType());
+    return found->getPointeeType().isConstQualified() &&
+           context_.hasSameUnqualifiedType(wanted->getPointeeType(), found->getPointeeType());
+  }
+
+  std::string form() const {
+    std::string parameters;
+    for (QualType type : given_) {
+      if (type->isPointerType()) type = context_.getPointerType(type->getPointeeType().withConst());
+      parameters += type.getAsString() + ", ";
+    }
+    std::string const size = partials_ == 0 ? "" : std::to_string(partials_);
+    return "it should be void (" + parameters + "double partials[" + size + "])";
+  }
+
+  ASTContext &context_;
+  std::vector<QualType> given_;
+  std::size_t numbers_, partials_; // of the next derivative
+  std::string text_;
+};
+
 class Resolver {
 public:
   Resolver(ASTContext &context, SourceMap const &map, Facts &facts, Reals &reals)
@@ -101,11 +166,9 @@ public:
     DerivativeForm form(context_, std::move(given), any_size ? 0 : numbers, results);
     if (!add_derivatives(pragma, form)) return;
     text += form.text();
-    Place const place = map_.place(function->getLocation());
     std::string const arguments = in_quotes(function->getNameAsString()) + (pragma.pure ? ", true, " : ", false, ") +
                                   in_quotes(text) + ", " + in_quotes(any_size ? sizes : "") + ", " +
-                                  in_quotes(place.file) + ", " + std::to_string(place.line) + ", " +
-                                  std::to_string(place.column);
+                                  place_words(map_.place(function->getLocation()));
     reals_.add_external(function, {arguments, pragma.pure});
     declare(function, pragma.name_place);
   }
@@ -288,13 +351,67 @@ private:
   Reals &reals_;
 };
 
+// Calls with effects that the language lets happen in either order: the symbolic program need not have them in the
+// order of the original.
+class Order : public Walk {
+public:
+  Order(SourceMap const &map, Facts &facts, Reals const &reals) : map_(map), facts_(facts), reals_(reals) {}
+
+  bool VisitBinaryOperator(BinaryOperator *binary) override {
+    if (!binary->isLogicalOp() && !binary->isCommaOp())
+      check({binary->getLHS(), binary->getRHS()}, binary->getOperatorLoc());
+    return true;
+  }
+  bool VisitCallExpr(CallExpr *call) override {
+    check({call->arg_begin(), call->arg_end()}, call->getBeginLoc());
+    return true;
+  }
+
+private:
+  class Effects : public Walk {
+  public:
+    explicit Effects(Reals const &reals) : reals_(reals) {}
+    bool TraverseLambdaExpr(LambdaExpr *) override { return true; }
+    bool VisitCallExpr(CallExpr *call) override {
+      FunctionDecl const *function = call->getDirectCallee();
+      Reals::External const *external = function ? reals_.external(function) : nullptr;
+      found = found || (external && !external->pure);
+      return !found;
+    }
+    bool found = false;
+
+  private:
+    Reals const &reals_;
+  };
+
+  void check(std::vector<Expr *> const &operands, SourceLocation location) {
+    int count = 0;
+    for (Expr *operand : operands) {
+      Effects effects(reals_);
+      effects.TraverseStmt(operand);
+      count += effects.found;
+    }
+    if (count < 2 || !map_.in_roots(location)) return;
+    facts_.diagnostics.push_back({DiagnosticId::external_function,
+                                  map_.place(location),
+                                  "the language does not say which of these external functions is called first",
+                                  {{{}, "put the calls into statements of their own, or say that they are pure"}}});
+  }
+
+  SourceMap const &map_;
+  Facts &facts_;
+  Reals const &reals_;
+};
+
 } // namespace
 
 void collect_externals(ASTContext &context, SourceMap const &map, PragmaIndex const &index, Facts &facts,
                        Reals &reals) {
   Resolver resolver(context, map, facts, reals);
   for (ExternalPragma const &pragma : index.externals) resolver.resolve(pragma);
-  refuse_unordered_effects(context, map, index, facts, reals);
+  if (std::ranges::all_of(index.externals, &ExternalPragma::pure)) return;
+  for (Decl *declaration : context.getTranslationUnitDecl()->decls())
+    if (map.in_roots(declaration->getLocation())) Order(map, facts, reals).TraverseDecl(declaration);
 }
 
 } // namespace symreal::rewrite

@@ -9,24 +9,14 @@
 #include "rewrite/facts/facts.h"
 #include "rewrite/model/reals.h"
 #include "rewrite/pragma/pragma_handler.h"
-#include "rewrite/pragma/pragma_parser.h"
 #include "rewrite/source/clang.h"
 #include "rewrite/source/source_map.h"
 
-#include <variant>
-
 namespace symreal::rewrite {
 
-// Parses the tokens of a directive that begins with `external`.
-std::variant<ExternalPragma, PragmaError> parse_external(std::vector<PragmaToken> const &tokens,
-                                                         std::vector<Place> const &places);
-
-// Looks the functions up, after all of the source has been read, and registers them with `reals`.
+// Looks the functions up, after all of the source has been read, and registers them with `reals`;
+// refuses two calls with effects in one expression that the language may order either way.
 void collect_externals(clang::ASTContext &context, SourceMap const &map, PragmaIndex const &index, Facts &facts,
                        Reals &reals);
-
-// Two calls with effects in one expression that the language may order either way.
-void refuse_unordered_effects(clang::ASTContext &context, SourceMap const &map, PragmaIndex const &index, Facts &facts,
-                              Reals const &reals);
 
 } // namespace symreal::rewrite

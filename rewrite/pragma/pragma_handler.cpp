@@ -1,12 +1,41 @@
 #include "rewrite/pragma/pragma_handler.h"
 
-#include "rewrite/pragma/externals.h"
 #include "rewrite/text/pragma_text.h"
 
 namespace symreal::rewrite {
 namespace {
 
 using namespace clang;
+
+ItemFact item_fact(std::vector<PragmaToken> const &tokens, PragmaItem const &item) {
+  ItemFact fact;
+  fact.label = text_of(tokens, item.tokens);
+  fact.expression = element_text(tokens, item);
+  fact.base = base_text(tokens, item);
+  for (PragmaSection const &section : item.sections)
+    fact.sections.push_back(
+        {section.low.empty() ? "0" : text_of(tokens, section.low), text_of(tokens, section.length)});
+  fact.is_return = fact.label == "return";
+  std::size_t const next = item.tokens.begin + 1;
+  bool const name_first = tokens[item.tokens.begin].is_name && !fact.is_return;
+  fact.section_on_base = name_first && !item.sections.empty() && item.sections[0].brackets.begin == next;
+  fact.base_is_name = name_first && (next == item.tokens.end || fact.section_on_base);
+  return fact;
+}
+
+// Every name that is looked up by itself: not after `.`, `->` or `::`, and not before `::`.
+void collect_names(PragmaWords const &words, PragmaItem const &item, ItemKey const &key,
+                   std::vector<PragmaIndex::Name> &names) {
+  auto const is = [&](std::size_t i, std::string const &text) {
+    return i < words.tokens.size() && words.tokens[i].text == text;
+  };
+  for (std::size_t i = item.tokens.begin; i < item.tokens.end; ++i) {
+    if (!words.names[i]) continue;
+    if (i > 0 && (is(i - 1, ".") || is(i - 1, "->") || is(i - 1, "::"))) continue;
+    if (is(i + 1, "::")) continue;
+    names.push_back({words.tokens[i].text, words.places[i], key, i == item.tokens.begin});
+  }
+}
 
 class Handler : public PragmaHandler {
 public:
@@ -68,11 +97,14 @@ private:
     facts_.diagnostics.push_back({id, map_.place(location), std::move(message)});
   }
 
+  std::size_t continued_lines(Span const &span, SourceLocation start) const {
+    return static_cast<std::size_t>(std::ranges::count(map_.text(span, start), '\n'));
+  }
+
   void collect_external(PragmaWords const &words, Span const &span, SourceLocation start, SourceLocation end) {
     PragmaFact &fact = facts_.pragmas[span];
-    std::string const written = map_.text(span, start);
     fact.span = span;
-    fact.continued_lines = static_cast<std::size_t>(std::count(written.begin(), written.end(), '\n'));
+    fact.continued_lines = continued_lines(span, start);
     auto parsed = parse_external(words.tokens, words.places);
     if (auto const *error = std::get_if<PragmaError>(&parsed))
       facts_.diagnostics.push_back({error->id,
@@ -88,11 +120,9 @@ private:
     fact.place = map_.place(start);
     fact.is_function = pragma.is_function;
     fact.display_file = fact.place.file;
-    std::string const written = map_.text(span, start);
-    fact.continued_lines = static_cast<std::size_t>(std::count(written.begin(), written.end(), '\n'));
+    fact.continued_lines = continued_lines(span, start);
     add_clauses(fact, pragma, words, span, index_.function_names);
-    auto const [at, is_new] = facts_.pragmas.try_emplace(span, std::move(fact));
-    (void)at, (void)is_new; // a header's pragma was met through another source before
+    facts_.pragmas.try_emplace(span, std::move(fact)); // a header's pragma may have been met before
   }
 
   void inject(Preprocessor &preprocessor, Pragma const &pragma, std::vector<Token> const &lexed, Span const &span) {
@@ -174,6 +204,26 @@ private:
 };
 
 } // namespace
+
+void add_clauses(PragmaFact &fact, Pragma const &pragma, PragmaWords const &words, Span const &span,
+                 std::vector<PragmaIndex::Name> &names) {
+  for (PragmaClause const &clause : pragma.clauses) {
+    ClauseFact &clause_fact = fact.clauses.emplace_back();
+    clause_fact.clause = *find_clause(words.tokens[clause.name].text); // as the parser has found
+    clause_fact.place = words.places[clause.name];
+    clause_fact.argument = text_of(words.tokens, clause.arguments);
+    for (PragmaItem const &item : clause.items) {
+      clause_fact.items.push_back(item_fact(words.tokens, item));
+      clause_fact.items.back().place = words.places[item.tokens.begin];
+      if (means_file(clause_fact.clause, clause_fact.items.back())) {
+        clause_fact.items.back().seen = true;
+        continue;
+      }
+      if (pragma.is_function && !info(clause_fact.clause).has(trait::SINGLE))
+        collect_names(words, item, {span, fact.clauses.size() - 1, clause_fact.items.size() - 1}, names);
+    }
+  }
+}
 
 std::unique_ptr<PragmaHandler> make_pragma_handler(SourceMap const &map, Facts &facts, PragmaIndex &index) {
   return std::make_unique<Handler>(map, facts, index);

@@ -23,25 +23,6 @@ struct ItemKey {
   std::size_t item;
 };
 
-// A pragma `external(f)` with its other clauses (externals.h).
-struct ExternalPragma {
-  struct Item {
-    std::string name;
-    std::vector<std::string> lengths; // of its sections
-    Place place;
-  };
-  std::string function;
-  Place name_place;
-  bool pure = false;
-  std::vector<Item> inputs, outputs;
-  struct Function {
-    std::string name;
-    Place place;
-  };
-  std::vector<Function> derivatives;          // the first derivative, the second, ...
-  std::optional<std::size_t> configured = {}; // for a pragma from the request: the index of its external
-};
-
 struct PragmaIndex {
   bool ask_compiler = true; // put the items into the token stream
   std::map<unsigned, ItemKey> statements;

@@ -1,18 +1,10 @@
 #include "rewrite/pragma/pragma_items.h"
 
-#include "rewrite/facts/merge.h"
-#include "rewrite/model/baked_values.h"
-#include "rewrite/model/item_type.h"
+#include "rewrite/facts/facts.h"
 #include "rewrite/model/object_layout.h"
-#include "rewrite/model/overlaps.h"
-#include "rewrite/model/plain_declaration.h"
-#include "rewrite/model/redefinition.h"
 #include "rewrite/model/storage.h"
-#include "rewrite/pragma/item_bounds.h"
 #include "rewrite/source/walk.h"
 #include "rewrite/text/pragma_text.h"
-
-#include <algorithm>
 
 namespace symreal::rewrite {
 namespace {
@@ -37,19 +29,6 @@ ValueDecl const *base_of(Expr const *expression) {
   return nullptr;
 }
 
-Base kind_of(ValueDecl const *declaration, ASTContext const &context) {
-  QualType const type = declaration->getType();
-  if (type->isReferenceType()) return Base::object; // the object behind it need not be const
-  if (auto const *pointer = type->getAs<PointerType>()) {
-    if (!context.getBaseElementType(pointer->getPointeeType()).isConstQualified()) return Base::pointer;
-    return type.isConstQualified() ? Base::const_pointer_to_const : Base::pointer_to_const;
-  }
-  bool const is_const = context.getBaseElementType(type).isConstQualified();
-  // The caller gives a parameter its value, so the compiler does not know it.
-  bool const may_be_known = isa<VarDecl>(declaration) && !isa<ParmVarDecl>(declaration);
-  return is_const && may_be_known ? Base::const_object : Base::object;
-}
-
 // A parameter `double a[3][3]` is a pointer, but its declaration says how much it points to.
 void take_declared_extents(ItemFact &item, ValueDecl const *declaration) {
   auto const *parameter = dyn_cast<ParmVarDecl>(declaration);
@@ -63,13 +42,153 @@ void take_declared_extents(ItemFact &item, ValueDecl const *declaration) {
   }
 }
 
+std::string replaced(std::string text, std::string const &from, std::string const &to) {
+  for (std::size_t at = text.find(from); at != text.npos; at = text.find(from, at + to.size()))
+    text.replace(at, from.size(), to);
+  return text;
+}
+
+// Index of section k in an item's expression.
+std::string index_of(Section const &section, std::size_t k) {
+  return "(" + section.low + ")+symreal_i[" + std::to_string(k) + "]";
+}
+
+// A part of the expression as the user writes it, with [low:length].
+std::string written(std::string text, std::vector<Section> const &sections) {
+  for (std::size_t k = 0; k < sections.size(); ++k)
+    text = replaced(std::move(text), "[" + index_of(sections[k], k) + "]",
+                    "[" + sections[k].low + ":" + sections[k].length + "]");
+  return text;
+}
+
+// The elements that one pair of brackets names, where declarations tell.
+struct Elements {
+  std::optional<std::int64_t> first, count;
+  bool are_within(std::int64_t all) const {
+    return *count == 0 || (*first >= 0 && *count > 0 && *first <= all - *count);
+  }
+};
+
+Elements elements(std::string const &index, std::vector<Section> const &sections, LookUp look_up) {
+  for (std::size_t k = 0; k < sections.size(); ++k)
+    if (index == index_of(sections[k], k))
+      return {constant_of(sections[k].low, look_up), constant_of(sections[k].length, look_up)};
+  return {constant_of(index, look_up), 1};
+}
+
+class Bounds {
+public:
+  Bounds(ItemFact &item, LookUp look_up, Facts &facts) : item_(item), look_up_(look_up), facts_(facts) {}
+
+  // Processes indices from left to right: tests inserted before a bracket shift later ones by `shift_`.
+  void note(std::vector<ItemIndex> const &indices) {
+    std::string tested = item_.expression;
+    for (ItemIndex const &index : indices) {
+      if (index.is_unbounded) continue;
+      std::string const object = item_.expression.substr(index.object, index.open - index.object);
+      std::string const inner = item_.expression.substr(index.open + 1, index.close - index.open - 1);
+      Elements const named = elements(inner, item_.sections, look_up_);
+      if (index.count && named.first && named.count) {
+        if (named.are_within(*index.count)) continue;
+        refuse(written(object, item_.sections), *index.count);
+      }
+      test(tested, index, object, inner); // refused ones, too: the original does not rely on them
+    }
+    if (tested != item_.expression) item_.tested = tested;
+  }
+
+private:
+  void refuse(std::string const &object, std::int64_t count) {
+    add_diagnostic(facts_, {DiagnosticId::section_beyond, item_.place, beyond_message(item_.label, object, count)});
+  }
+
+  // Earlier tests stand before this bracket, in the object or in front of it.
+  void test(std::string &tested, ItemIndex const &index, std::string const &object, std::string const &inner) {
+    std::string const name = in_quotes(written(object, item_.sections));
+    std::size_t const behind = item_.expression.size() - index.close; // with the bracket
+    std::size_t const close = tested.size() - behind, open = close - inner.size() - 1;
+    if (index.count) {
+      tested.replace(open + 1, inner.size(),
+                     "SYMREAL_INDEX(" + std::to_string(*index.count) + ", " + name + ", " + inner + ")");
+      return;
+    }
+    std::size_t const begin = index.object; // indices within an object follow the object itself
+    std::string const now = tested.substr(begin, open - begin);
+    tested.replace(begin, close + 1 - begin, "SYMREAL_ELEMENT(" + name + ", (" + inner + "), " + now + ")");
+  }
+
+  ItemFact &item_;
+  LookUp look_up_;
+  Facts &facts_;
+};
+
+// Static variables of each file, once each, in the order of their definitions.
+class Statics : public Walk {
+public:
+  Statics(ASTContext &context, SourceMap const &map, ScalarState const &scalars)
+      : map_(map),
+        scalars_(scalars),
+        names_(context) {}
+
+  bool shouldVisitTemplateInstantiations() const override { return true; }
+  bool TraverseDecl(Decl *declaration) override {
+    return !declaration || map_.is_outside(declaration) || Walk::TraverseDecl(declaration);
+  }
+
+  bool VisitVarDecl(VarDecl *variable) override {
+    if (!variable->hasGlobalStorage() || variable->isThisDeclarationADefinition() == VarDecl::DeclarationOnly ||
+        variable->isTemplated() || !map_.in_roots(variable->getLocation()))
+      return true;
+    std::optional<Span> const span = map_.token(variable->getLocation());
+    if (!span) return true;
+    std::string const name = names_.getName(variable);
+    if (met_.insert(span->file + " " + name).second)
+      by_file[span->file] += (by_file[span->file].empty() ? "" : " ") + name;
+    if (is_changeable(variable))
+      changeable.insert(name);
+    else if (QualType const type = variable->getType(); type->isReferenceType() || Storage::holds_pointer(type))
+      changeable.insert("*" + name);
+    return true;
+  }
+
+  std::map<std::string, std::string> by_file; // by real path, separated by blanks
+  std::set<std::string> changeable;           // with a star, one that only leads to what may change
+
+private:
+  bool is_changeable(VarDecl const *variable) const {
+    QualType const type = variable->getType();
+    bool const is_constant = variable->getASTContext().getBaseElementType(type).isConstQualified();
+    if (type->isReferenceType() || type->isDependentType()) return false;
+    return !is_constant && !scalars_.is_fixed(variable);
+  }
+
+  SourceMap const &map_;
+  ScalarState const &scalars_;
+  ASTNameGenerator names_;
+  std::set<std::string> met_;
+};
+
+} // namespace
+
+Base kind_of(ValueDecl const *declaration, ASTContext const &context) {
+  QualType const type = declaration->getType();
+  if (type->isReferenceType()) return Base::object; // the object behind it need not be const
+  if (auto const *pointer = type->getAs<PointerType>()) {
+    if (!context.getBaseElementType(pointer->getPointeeType()).isConstQualified()) return Base::pointer;
+    return type.isConstQualified() ? Base::const_pointer_to_const : Base::pointer_to_const;
+  }
+  bool const is_const = context.getBaseElementType(type).isConstQualified();
+  // The caller gives a parameter its value, so the compiler does not know it.
+  bool const may_be_known = isa<VarDecl>(declaration) && !isa<ParmVarDecl>(declaration);
+  return is_const && may_be_known ? Base::const_object : Base::object;
+}
+
 void note_declaration(ItemFact &item, ValueDecl const *declaration) {
   if (!item.base_is_name) return;
   item.base_kind = kind_of(declaration, declaration->getASTContext());
   take_declared_extents(item, declaration);
 }
 
-// Whether the clause annotates its items as a whole: their numbers are inputs, parameters or outputs.
 bool takes_numbers(ClauseFact const &clause) { return info(clause.clause).has(trait::GIVEN | trait::RESULTS); }
 
 void note_layout(ClauseFact const &clause, ItemFact &item, ItemType const &type, ASTContext const &context,
@@ -84,348 +203,12 @@ void note_layout(ClauseFact const &clause, ItemFact &item, ItemType const &type,
   item.kept = object.others;
 }
 
-// The definition's own names, innermost scope first: parameters, members, namespaces.
-ValueDecl const *look_up(std::string const &name, FunctionDecl const *function) {
-  for (ParmVarDecl const *parameter : function->parameters())
-    if (parameter->getName() == name) return parameter;
-  DeclarationName const wanted = &function->getASTContext().Idents.get(name);
-  for (DeclContext const *scope = function->getDeclContext(); scope; scope = scope->getLookupParent()) {
-    for (NamedDecl const *found : scope->lookup(wanted))
-      if (auto const *value = dyn_cast<ValueDecl>(found)) return value;
-    for (UsingDirectiveDecl const *used : scope->using_directives()) // namespaces without a name are among them
-      for (NamedDecl const *found : used->getNominatedNamespace()->lookup(wanted))
-        if (auto const *value = dyn_cast<ValueDecl>(found)) return value;
-    auto const *record = dyn_cast<CXXRecordDecl>(scope);
-    if (!record || !record->hasDefinition()) continue;
-    ValueDecl const *inherited = nullptr;
-    record->forallBases([&](CXXRecordDecl const *base) {
-      for (NamedDecl const *found : base->lookup(wanted))
-        if (auto const *value = dyn_cast<ValueDecl>(found)) inherited = value;
-      return true;
-    });
-    if (inherited) return inherited;
-  }
-  return nullptr;
+void note_bounds(ClauseFact const &clause, ItemFact &item, std::vector<ItemIndex> const &indices, LookUp look_up,
+                 Facts &facts) {
+  bool const names_objects = info(clause.clause).has(trait::OBJECTS) || clause.clause == Clause::implicit;
+  if ((!names_objects && clause.clause != Clause::table) || item.expression.starts_with('&')) return;
+  Bounds(item, look_up, facts).note(indices);
 }
-
-class Returns : public Walk {
-public:
-  bool TraverseLambdaExpr(LambdaExpr *) override { return true; }
-  bool TraverseCXXRecordDecl(CXXRecordDecl *) override { return true; }
-  bool VisitReturnStmt(ReturnStmt *statement) override {
-    if (statement->getRetValue()) found.push_back(statement);
-    return true;
-  }
-  std::vector<ReturnStmt *> found;
-};
-
-// Whether the function changes the variable itself, as in `n--` or `*out++ = x`.
-class Changes : public Walk {
-public:
-  explicit Changes(ValueDecl const *variable) : variable_(variable) {}
-  bool VisitUnaryOperator(UnaryOperator *unary) override {
-    return !(unary->isIncrementDecrementOp() && is_it(unary->getSubExpr())) || note(unary->getOperatorLoc());
-  }
-  bool VisitBinaryOperator(BinaryOperator *binary) override {
-    return !(binary->isAssignmentOp() && is_it(binary->getLHS())) || note(binary->getOperatorLoc());
-  }
-  SourceLocation place;
-
-private:
-  bool is_it(Expr const *expression) const {
-    auto const *reference = dyn_cast<DeclRefExpr>(expression->IgnoreParenImpCasts());
-    return reference && reference->getDecl() == variable_;
-  }
-  bool note(SourceLocation location) {
-    place = location;
-    return false; // one is enough
-  }
-  ValueDecl const *variable_;
-};
-
-class Attacher {
-public:
-  Attacher(SourceMap const &map, Reals const &reals, ScalarState const &scalars,
-           std::vector<PragmaIndex::Name> const &names, Facts &facts)
-      : map_(map),
-        reals_(reals),
-        scalars_(scalars),
-        names_(names),
-        facts_(facts) {}
-
-  void attach(Span const &span, SourceLocation start, std::vector<FunctionDecl const *> const &definitions) {
-    FileID const file = map_.sources().getFileID(start);
-    FunctionDecl const *next = nullptr;
-    unsigned next_offset = 0;
-    for (FunctionDecl const *function : definitions) {
-      auto const [at, offset] = map_.sources().getDecomposedExpansionLoc(function->getBeginLoc());
-      if (at == file && offset >= span.end && (!next || offset < next_offset)) next = function, next_offset = offset;
-    }
-    std::string const text = map_.sources().getBufferData(file).str();
-    if (!next || !only_declaration_start(text.substr(span.end, next_offset - span.end))) {
-      report(DiagnosticId::pragma_unattached, start, "no function definition follows this pragma");
-      return;
-    }
-    attach_to(span, next);
-  }
-
-  void attach_to(Span const &span, FunctionDecl const *function) {
-    PragmaFact &pragma = facts_.pragmas[span];
-    note_function(pragma, function);
-    if (pragma.function.empty() || !pragma.is_kernel()) return;
-    Redefinition &redefined = pragma.function[0].signature.redefinition;
-    redefined = redefinition(function, look_up_names(span, function));
-    redefined.file = pragma.function[0].brace.file;
-    redefined.body = pragma.function[0].brace.end;
-    redefined.is_template = function->isTemplated();
-    redefined.baked = baked_values(function, items_of(pragma, function), pragma.place);
-    redefined.overlaps = possible_overlaps(function, placed_items(pragma, function));
-    redefined.result = returned_object(function);
-    if (function->getReturnType()->isVoidType())
-      refuse_returned(pragma);
-    else
-      wrap_returns(pragma, function);
-  }
-
-private:
-  void report(DiagnosticId id, SourceLocation location, std::string message) {
-    facts_.diagnostics.push_back({id, map_.place(location), std::move(message)});
-  }
-
-  static std::vector<BakedItem> items_of(PragmaFact const &pragma, FunctionDecl const *function) {
-    std::vector<BakedItem> items;
-    auto const find = [function](std::string const &name) { return look_up(name, function); };
-    for (ClauseFact const &clause : pragma.clauses)
-      for (ItemFact const &item : clause.items)
-        if (!item.is_return && (takes_numbers(clause) || clause.clause == Clause::constant))
-          items.push_back({item.label, item.base, item.sections, item.place,
-                           type_of_item(item.expression, function->getASTContext(), function, find).type,
-                           clause.clause == Clause::constant});
-    return items;
-  }
-
-  static std::vector<PlacedItem> placed_items(PragmaFact const &pragma, FunctionDecl const *function) {
-    std::vector<PlacedItem> items;
-    auto const find = [function](std::string const &name) { return look_up(name, function); };
-    for (ClauseFact const &clause : pragma.clauses)
-      for (ItemFact const &item : clause.items) {
-        if (item.is_return || !takes_numbers(clause)) continue;
-        PlacedItem placed{item.label, item.base, item.sections.size(), info(clause.clause).has(trait::RESULTS)};
-        placed.base_type = type_of_item(item.base, function->getASTContext(), function, find).type;
-        std::size_t begin = item.base.find_first_not_of("*&( ");
-        if (begin == item.base.npos) continue;
-        if (item.base.compare(begin, 6, "this->") == 0) begin += 6;
-        std::size_t end = begin;
-        while (end < item.base.size() && isAsciiIdentifierContinue(item.base[end])) ++end;
-        placed.root_name = item.base.substr(begin, end - begin);
-        placed.root = look_up(placed.root_name, function);
-        items.push_back(std::move(placed));
-      }
-    return items;
-  }
-
-  void note_function(PragmaFact &pragma, FunctionDecl const *function) {
-    auto const [file, begin] = map_.sources().getDecomposedExpansionLoc(function->getBeginLoc());
-    llvm::StringRef const text = map_.sources().getBufferData(file);
-    Stmt const *body = block_of(function);
-    std::optional<Span> const brace = map_.token(body->getBeginLoc());
-    if (!brace) {
-      report(DiagnosticId::pragma_unattached, function->getLocation(), "the function's body is made by a macro");
-      return;
-    }
-    FunctionFact fact{.name = function->getNameAsString(),
-                      .signature = {},
-                      .brace = *brace,
-                      .values = {},
-                      .parameters = {},
-                      .leads = {}};
-    unsigned end = map_.sources().getFileOffset(map_.sources().getExpansionLoc(function->getBody()->getBeginLoc()));
-    if (auto const *constructor = dyn_cast<CXXConstructorDecl>(function))
-      for (CXXCtorInitializer const *initializer : constructor->inits())
-        if (initializer->isWritten())
-          end = std::min(
-              end, map_.sources().getFileOffset(map_.sources().getExpansionLoc(initializer->getSourceLocation())));
-    fact.signature = {normalised(text.substr(begin, end - begin).str()), {}, !function->getReturnType()->isVoidType()};
-    if (std::optional<Signature> const plain = plain_declaration(function, map_.language())) fact.signature = *plain;
-    for (ParmVarDecl const *parameter : function->parameters())
-      if (parameter->getIdentifier() && !Storage::is_view(parameter->getType()) &&
-          (reals_.carries_real(parameter->getType()) ||
-           (parameter->isReferenced() && scalars_.holds(parameter->getType()) &&
-            !ScalarState::is_opaque(parameter->getType()) && !ScalarState::is_function_pointer(parameter->getType()))))
-        fact.values.push_back({parameter->getName().str(), map_.place(parameter->getLocation())});
-    constexpr unsigned in_registers = 6; // at least, of the calling conventions in use
-    auto const *method = dyn_cast<CXXMethodDecl>(function);
-    unsigned const passed = function->getNumParams() + (method && method->isInstance() ? 1 : 0);
-    for (ParmVarDecl const *parameter : function->parameters())
-      if (parameter->getIdentifier() && !parameter->getType()->isReferenceType() &&
-          (passed > in_registers || parameter->getType()->isRecordType()))
-        fact.parameters.push_back({parameter->getName().str(), map_.place(parameter->getLocation())});
-    for (ParmVarDecl const *parameter : function->parameters())
-      if (std::string lead = Storage::lead_from(parameter); parameter->isReferenced() && !lead.empty())
-        fact.leads.push_back(std::move(lead));
-    if (method && method->isInstance()) fact.leads.emplace_back("this");
-    pragma.function = {fact};
-  }
-
-  std::vector<NamedItem> look_up_names(Span const &span, FunctionDecl const *function) {
-    PragmaFact &pragma = facts_.pragmas[span];
-    std::vector<NamedItem> named;
-    for (PragmaIndex::Name const &name : names_) {
-      if (name.item.pragma != span) continue;
-      ItemFact &item = pragma.clauses[name.item.clause].items[name.item.item];
-      ValueDecl const *declaration = look_up(name.text, function);
-      if (!declaration) {
-        std::string const where = "'" + name.text + "' is neither a parameter of '" + function->getNameAsString() +
-                                  "' nor declared before it";
-        facts_.diagnostics.push_back({DiagnosticId::pragma_undeclared_name, name.place, where});
-        item.seen = item.carries_real = true; // one error is enough
-        continue;
-      }
-      ClauseInfo const &clause = info(pragma.clauses[name.item.clause].clause);
-      bool const is_compared = clause.clause == Clause::constant; // by a wrapper
-      if (clause.has(trait::GIVEN | trait::RESULTS) || is_compared) named.push_back({name.text, declaration});
-      // Outputs are read when the function returns, so the names that locate them must be unchanged then.
-      bool const locates = !name.is_base || item.section_on_base;
-      if (clause.has(trait::RESULTS) && locates && isa<ParmVarDecl>(declaration))
-        refuse_changes(item, name.text, declaration, function);
-      if (!name.is_base) continue;
-      item.seen = true;
-      item.type = declaration->getType().getAsString();
-      item.carries_real = declaration->getType()->isDependentType() || reals_.mentions_real(declaration->getType());
-      item.holds_scalar = holds_scalar(declaration->getType());
-      note_declaration(item, declaration);
-    }
-    for (ClauseFact &clause : pragma.clauses)
-      for (ItemFact &item : clause.items) {
-        if (!item.seen)
-          item.seen = item.carries_real = true; // it does not begin with a plain name: its type is unknown
-        auto const find = [function](std::string const &name) { return look_up(name, function); };
-        if (item.is_return) continue;
-        ItemType const type = type_of_item(item.expression, function->getASTContext(), function, find);
-        note_bounds(clause, item, type.indices, find, facts_);
-        if (!takes_numbers(clause)) continue;
-        if (is_pointee(item))
-          if (ValueDecl const *pointer = find(item.label.substr(1)))
-            item.base_kind = kind_of(pointer, function->getASTContext());
-        note_layout(clause, item, type, function->getASTContext(), reals_, facts_);
-      }
-    return named;
-  }
-
-  // Whether the object, or its target, holds a scalar: a container has a number of elements, a smart pointer an
-  // address.
-  bool holds_scalar(QualType type) const {
-    while ((type->isPointerType() && !type->isFunctionPointerType()) || type->isReferenceType() || type->isArrayType())
-      type = type->isArrayType() ? type->getAsArrayTypeUnsafe()->getElementType() : type->getPointeeType();
-    return type->isRecordType() || scalars_.holds(type);
-  }
-
-  void refuse_changes(ItemFact const &item, std::string const &name, ValueDecl const *declaration,
-                      FunctionDecl const *function) {
-    Changes changes(declaration);
-    changes.TraverseStmt(function->getBody());
-    if (changes.place.isInvalid()) return;
-    std::string const message = "'" + item.label + "' is read when the function returns, but '" + name + "' changes";
-    facts_.diagnostics.push_back(
-        {DiagnosticId::pragma_item, item.place, message, {{map_.place(changes.place), "it is changed here"}}});
-  }
-
-  void refuse_returned(PragmaFact const &pragma) {
-    for (ClauseFact const &clause : pragma.clauses)
-      for (ItemFact const &item : clause.items)
-        if (item.is_return)
-          facts_.diagnostics.push_back(
-              {DiagnosticId::pragma_item, item.place, "'" + pragma.function[0].name + "' returns nothing"});
-  }
-
-  // Integer type as text that is valid in C and C++.
-  static std::string integer_words(QualType type) {
-    if (auto const *enumeration = type->getAs<EnumType>()) type = enumeration->getDecl()->getIntegerType();
-    type = type.getCanonicalType().getUnqualifiedType();
-    return type->isBooleanType() ? "SYMREAL_BOOL" : type.getAsString();
-  }
-
-  // Reason why a value of this type cannot be an output; empty if it can be.
-  std::string unfit_as_output(QualType type, ASTContext const &context) const {
-    std::string const name = declared(type.getUnqualifiedType(), "", context);
-    std::string const what = "output(return): it is " + name + ", ";
-    if (type->isPointerType() || (type->isLValueReferenceType() && !type->getPointeeType().isConstQualified()))
-      return what + "which hands out an object: name that in output(...)";
-    QualType const value = type.getNonReferenceType().getUnqualifiedType();
-    if (value->isRealFloatingType() && !Reals::is_double(value)) return what + "which holds no double";
-    auto const *record = value->getAsCXXRecordDecl();
-    if (!record || !record->hasDefinition() || !record->isInStdNamespace() || !record->getIdentifier()) return "";
-    constexpr llvm::StringLiteral walked[] = {"complex", "pair", "array"};
-    if (llvm::is_contained(walked, record->getName()) || !element_of(record->getDefinition()).isNull()) return "";
-    return what + "whose numbers no annotation reaches: return a structure or an array of them";
-  }
-
-  void wrap_returns(PragmaFact &pragma, FunctionDecl const *function) {
-    ItemFact *returned = nullptr;
-    for (ClauseFact &clause : pragma.clauses)
-      for (ItemFact &item : clause.items)
-        if (clause.clause == Clause::output && item.is_return) {
-          std::string const reason = unfit_as_output(function->getReturnType(), function->getASTContext());
-          if (!reason.empty()) return facts_.diagnostics.push_back({DiagnosticId::pragma_item, item.place, reason});
-          returned = &item;
-          note_layout(clause, item, {function->getReturnType(), false}, function->getASTContext(), reals_, facts_);
-        }
-    QualType const type = function->getReturnType();
-    bool const is_object = type->isRecordType() || type->isDependentType();
-    if (!returned && !is_object) return;
-    std::string const place = returned ? place_arguments("return", returned->place) : "";
-    bool const is_integer = type->isIntegralOrEnumerationType();
-    if (is_integer && function->getASTContext().getTypeSize(type) > 32)
-      return facts_.diagnostics.push_back(
-          {DiagnosticId::pragma_item, returned->place,
-           "'" + pragma.function[0].name + "' returns an integer of more than 32 bits, which no output holds"});
-    std::string usual = returned ? "(" + place : "";
-    if (is_integer) usual = "_INTEGER(" + place + ", (" + integer_words(type) + ")";
-    if (returned && !returned->layout.text.empty())
-      usual = "_LAYOUT(" + place + ", " + layout_arguments(returned->layout);
-    if (returned) pragma.function[0].signature.redefinition.result.begin = "SYMREAL_RETURN" + usual;
-    std::string const as = type_in_words(function);
-    Returns returns;
-    returns.TraverseStmt(function->getBody());
-    for (ReturnStmt const *statement : returns.found) {
-      Expr const *value = statement->getRetValue();
-      // A macro would take `a, b` for two arguments.
-      while (auto const *comma = dyn_cast<BinaryOperator>(value->IgnoreImplicit())) {
-        if (comma->getOpcode() != BO_Comma) break;
-        value = comma->getRHS();
-      }
-      std::optional<Span> const span = map_.range(value->getSourceRange());
-      bool const is_list = span && map_.text(*span, value->getBeginLoc()).starts_with('{');
-      bool const is_converted = is_list || !function->getASTContext().hasSameUnqualifiedType(
-                                               value->IgnoreUnlessSpelledInSource()->getType(), type);
-      bool const is_made_first = is_converted && !as.empty() && !is_integer && (is_list || is_object);
-      if (returned && (!span || (is_list && !is_made_first)))
-        report(DiagnosticId::pragma_item, statement->getReturnLoc(),
-               "output(return) needs `return` with an expression");
-      if (!span || (!returned && as.empty())) continue;
-      std::string macro = returned ? usual : "_WHOLE(" + as;
-      if (returned && is_made_first) macro = macro.insert(macro.find('('), "_AS") + ", " + as;
-      facts_.wraps.insert({*span, Use::returned, macro});
-    }
-  }
-
-  // The returned type in parentheses, as the function itself can write it; empty if it cannot.
-  static std::string type_in_words(FunctionDecl const *function) {
-    QualType const type = function->getReturnType();
-    ASTContext const &context = function->getASTContext();
-    if (!context.getLangOpts().CPlusPlus) return type->isRecordType() ? "(" + type.getAsString() + ")" : "";
-    if (type->isDependentType() || type->getContainedAutoType()) return "";
-    return "(" + with_real(type_text(type.getCanonicalType().getUnqualifiedType(), context)) + ")";
-  }
-
-  SourceMap const &map_;
-  Reals const &reals_;
-  ScalarState const &scalars_;
-  std::vector<PragmaIndex::Name> const &names_;
-  Facts &facts_;
-};
-
-} // namespace
 
 void note_item(Stmt const *statement, ASTContext const &context, Reals const &reals, ScalarState const &scalars,
                PragmaIndex const &index, Facts &facts) {
@@ -455,22 +238,17 @@ void note_item(Stmt const *statement, ASTContext const &context, Reals const &re
   note_bounds(clause, item, type_of_item(item.expression, context, nullptr, find).indices, find, facts);
 }
 
-void attach_function_pragmas(std::vector<FunctionDecl const *> const &definitions, SourceMap const &map,
-                             Reals const &reals, ScalarState const &scalars, PragmaIndex const &index, Facts &facts) {
-  Attacher attacher(map, reals, scalars, index.function_names, facts);
-  for (auto const &[span, start] : index.function_pragmas)
-    if (facts.pragmas[span].function.empty()) attacher.attach(span, start, definitions);
-}
-
-void attach_pragma(Span const &span, FunctionDecl const *definition, std::vector<PragmaIndex::Name> const &names,
-                   SourceMap const &map, Reals const &reals, ScalarState const &scalars, Facts &facts) {
-  Attacher(map, reals, scalars, names, facts).attach_to(span, definition);
-}
-
-Stmt const *block_of(FunctionDecl const *function) {
-  Stmt const *body = function->getBody();
-  auto const *attempt = dyn_cast_or_null<CXXTryStmt>(body);
-  return attempt ? attempt->getTryBlock() : body;
+void note_statics(ASTContext &context, SourceMap const &map, ScalarState const &scalars, Facts &facts) {
+  Statics statics(context, map, scalars);
+  statics.TraverseDecl(context.getTranslationUnitDecl());
+  facts.changeable = std::move(statics.changeable);
+  for (auto &[span, pragma] : facts.pragmas)
+    for (ClauseFact &clause : pragma.clauses)
+      for (ItemFact &item : clause.items) {
+        if (!means_file(clause.clause, item) || !item.type.empty()) continue;
+        item.type = "file";
+        item.expression = in_quotes(statics.by_file[span.file]);
+      }
 }
 
 } // namespace symreal::rewrite

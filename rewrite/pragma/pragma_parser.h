@@ -1,13 +1,15 @@
 // Parser of `#pragma symreal` directives, independent of Clang and of the names' meanings.
 //
-//   directive := ["function"] clause { clause }
+//   directive := ["function"] clause { clause } | external
 //   clause    := name "(" [item { "," item }] ")"
 //   item      := expression in which `[low:length]` may stand where an index may; low may be missing and is then 0
+//   external  := "external" "(" name ")" { "pure" | "derivative" "(" name { "," name } ")" | clause }
 #pragma once
 
 #include "engine/diagnostics/diagnostic.h"
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -65,5 +67,28 @@ std::string element_text(std::vector<PragmaToken> const &tokens, PragmaItem cons
 
 // The item without its sections.
 std::string base_text(std::vector<PragmaToken> const &tokens, PragmaItem const &item);
+
+// A pragma `external(f)` with its other clauses.
+struct ExternalPragma {
+  struct Item {
+    std::string name;
+    std::vector<std::string> lengths; // of its sections
+    Place place;
+  };
+  std::string function;
+  Place name_place;
+  bool pure = false;
+  std::vector<Item> inputs, outputs;
+  struct DerivativeName {
+    std::string name;
+    Place place;
+  };
+  std::vector<DerivativeName> derivatives;    // the first derivative, the second, ...
+  std::optional<std::size_t> configured = {}; // for a pragma from the request: the index of its external
+};
+
+// Parses the tokens of a directive that begins with `external`, each at its place.
+std::variant<ExternalPragma, PragmaError> parse_external(std::vector<PragmaToken> const &tokens,
+                                                         std::vector<Place> const &places);
 
 } // namespace symreal::rewrite

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace symreal::rewrite {
@@ -65,6 +66,9 @@ struct TextSource {
 // use that for something else, `reserved_type_name`.
 inline constexpr char const *usual_type_name = "REAL";
 inline constexpr char const *reserved_type_name = "SYMREAL_REAL";
+
+// Content hash that identifies a text, in letters and digits.
+std::string content_id(std::string_view text);
 
 // Cache of texts from run to run, each under a key of letters and digits. Thread-safe.
 class KeptTexts {

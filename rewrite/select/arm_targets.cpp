@@ -1,10 +1,13 @@
-#include "rewrite/select/arm_walker.h"
+#include "rewrite/select/arms.h"
 #include "rewrite/source/walk.h"
 #include "rewrite/text/pragma_text.h"
 
 namespace symreal::rewrite {
 using namespace clang;
 
+namespace {
+
+// Whether the type consists of REALs alone, in memory of its own.
 bool only_reals(QualType type, Reals const &reals) {
   type = type.getCanonicalType();
   if (type.isVolatileQualified() || type.isConstQualified() || type->isReferenceType()) return false;
@@ -29,8 +32,6 @@ bool only_reals(QualType type, Reals const &reals) {
     if (!only_reals(field->getType(), reals) || field->getType()->getAsCXXRecordDecl()) return false;
   return true;
 }
-
-namespace {
 
 // One step from a part to the object it is part of, where both lie in the same memory.
 Expr const *whole_of(Expr const *part) {

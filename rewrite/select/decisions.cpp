@@ -1,7 +1,64 @@
-#include "rewrite/select/decision_collector.h"
+#include "rewrite/select/decisions.h"
+
+#include "rewrite/source/walk.h"
 
 namespace symreal::rewrite {
 using namespace clang;
+
+namespace {
+
+// The functions with code that is compiled: templates as they are instantiated.
+class Functions : public Walk {
+public:
+  explicit Functions(SourceMap const &map) : map_(map) {}
+  bool shouldVisitTemplateInstantiations() const override { return true; }
+
+  std::vector<FunctionDecl const *> found;
+  std::vector<ConditionalOperator const *> choices;
+
+  bool TraverseDecl(Decl *declaration) override {
+    if (!declaration || map_.is_outside(declaration)) return true;
+    return Walk::TraverseDecl(declaration);
+  }
+  bool VisitFunctionDecl(FunctionDecl *function) override {
+    bool const is_code = function->doesThisDeclarationHaveABody() && !function->isImplicit();
+    if (is_code && map_.in_roots(function->getLocation())) found.push_back(function);
+    return true;
+  }
+  bool VisitConditionalOperator(ConditionalOperator *choice) override {
+    choices.push_back(choice);
+    return true;
+  }
+
+private:
+  SourceMap const &map_;
+};
+
+// A macro's argument must not hold a directive.
+bool has_directive(std::string const &text) {
+  for (std::size_t line = text.find('\n'); line != std::string::npos; line = text.find('\n', line + 1)) {
+    std::size_t const first = text.find_first_not_of(" \t", line + 1);
+    if (first != std::string::npos && text[first] == '#') return true;
+  }
+  return false;
+}
+
+constexpr std::size_t longest = 120;
+
+std::string on_one_line(llvm::StringRef text) {
+  std::string result;
+  for (char const c : text) {
+    bool const blank = c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\\';
+    if (!blank)
+      result += c;
+    else if (!result.empty() && result.back() != ' ')
+      result += ' ';
+  }
+  if (result.size() > longest) result.replace(longest, result.npos, "...");
+  return result;
+}
+
+} // namespace
 
 void DecisionCollector::function(FunctionDecl const *function) {
   function_ = function;
@@ -32,10 +89,9 @@ void DecisionCollector::walk(Stmt const *statement) {
     for (Decl const *declared : declaration->decls())
       if (auto const *variable = dyn_cast<VarDecl>(declared); variable && !variable->isConstexpr())
         walk(variable->getInit());
-  } else if (auto const *defaulted = dyn_cast<CXXDefaultArgExpr>(statement)) {
-    (void)defaulted; // written elsewhere
-  } else
+  } else if (!isa<CXXDefaultArgExpr>(statement)) { // which is written elsewhere
     for (Stmt const *child : statement->children()) walk(child);
+  }
   parents_.pop_back();
   lambdas_ -= is_lambda;
 }
@@ -75,19 +131,6 @@ void DecisionCollector::accept(Site const &site, std::vector<Alteration> alterat
   fact.alterations = std::move(alterations);
   fact.needs = std::move(needs);
 }
-
-namespace {
-
-// A macro's argument must not hold a directive.
-bool has_directive(std::string const &text) {
-  for (std::size_t line = text.find('\n'); line != std::string::npos; line = text.find('\n', line + 1)) {
-    std::size_t const first = text.find_first_not_of(" \t", line + 1);
-    if (first != std::string::npos && text[first] == '#') return true;
-  }
-  return false;
-}
-
-} // namespace
 
 std::optional<Span> DecisionCollector::condition_span(Site const &site, Condition const &condition) {
   SourceLocation const begin = site.condition.getBegin();
@@ -252,6 +295,109 @@ void DecisionCollector::check_use_of_macro(ConditionalOperator const *choice) {
   if (!key) return;
   note({*key, map_.frame(choice->getQuestionLoc()), choice->getCond()->getSourceRange()},
        {choice->getQuestionLoc(), {ReasonId::used_outside}}, facts_.decisions[*key].misuses);
+}
+
+// The source texts of decided values, which messages about decisions quote.
+void DecisionCollector::deciding(SourceLocation keyword, Expr const *value) {
+  if (value) deciding(keyword, value->getSourceRange(), value, {});
+}
+
+void DecisionCollector::converting(CastExpr const *cast) {
+  // An explicit cast `(int)x` contains the conversion as a part without text.
+  auto const *part = dyn_cast<ImplicitCastExpr>(cast->getSubExpr());
+  CastExpr const *conversion = part && part->getCastKind() == CK_FloatingToIntegral ? part : cast;
+  if (conversion->getCastKind() == CK_FloatingToIntegral)
+    deciding({}, cast->getSourceRange(), conversion->getSubExpr(),
+             cast->getType().getUnqualifiedType().getAsString(map_.language()));
+}
+
+void DecisionCollector::deciding(SourceLocation keyword, SourceRange where, Expr const *value, std::string type) {
+  if (!map_.in_roots(where.getBegin())) return;
+  SourceManager const &sources = map_.sources();
+  SourceRange const range = value->getSourceRange();
+  CharSourceRange written = Lexer::makeFileCharRange(CharSourceRange::getTokenRange(range), sources, map_.language());
+  if (written.isInvalid()) written = Lexer::getAsCharRange(sources.getExpansionRange(range), sources, map_.language());
+  DecidingText found{{},
+                     map_.place(where.getBegin()),
+                     map_.place(where.getEnd()),
+                     on_one_line(Lexer::getSourceText(written, sources, map_.language())),
+                     std::move(type)};
+  if (keyword.isValid()) found.keyword = map_.place(keyword);
+  if (found.text.empty()) return;
+  std::string key = to_string(found.begin) + " " + to_string(found.end) + " " + to_string(found.keyword) + found.type;
+  facts_.deciding.try_emplace(std::move(key), std::move(found));
+}
+
+void DecisionCollector::note_deciding(Stmt const *statement) {
+  if (auto const *choice = dyn_cast<IfStmt>(statement)) deciding(choice->getIfLoc(), choice->getCond());
+  if (auto const *choice = dyn_cast<SwitchStmt>(statement)) deciding(choice->getSwitchLoc(), choice->getCond());
+  if (auto const *choice = dyn_cast<ConditionalOperator>(statement))
+    deciding(choice->getQuestionLoc(), choice->getCond());
+  if (auto const *end = dyn_cast<ReturnStmt>(statement); end && end->getRetValue()) {
+    Expr const *value = end->getRetValue()->IgnoreParenImpCasts();
+    if (auto const *choice = dyn_cast<ConditionalOperator>(value)) deciding(end->getReturnLoc(), choice->getCond());
+    if (auto const *test = dyn_cast<BinaryOperator>(value); test && (test->isComparisonOp() || test->isLogicalOp()))
+      deciding(end->getReturnLoc(), test);
+  }
+  if (auto const *loop = dyn_cast<ForStmt>(statement)) deciding(loop->getForLoc(), loop->getCond());
+  if (auto const *loop = dyn_cast<WhileStmt>(statement)) deciding(loop->getWhileLoc(), loop->getCond());
+  if (auto const *loop = dyn_cast<DoStmt>(statement)) deciding(loop->getWhileLoc(), loop->getCond());
+  if (auto const *operation = dyn_cast<BinaryOperator>(statement))
+    if (operation->isComparisonOp() || operation->isLogicalOp()) deciding({}, operation);
+  if (auto const *cast = dyn_cast<CastExpr>(statement)) converting(cast);
+}
+
+std::optional<Blocker> DecisionCollector::collect_returns(std::vector<Alteration> &alterations, Span &brace) const {
+  auto const *body = dyn_cast<CompoundStmt>(function_->getBody());
+  if (!body) return Blocker{function_->getLocation(), {ReasonId::return_of_try}};
+  FileID const frame = map_.frame(body->getLBracLoc());
+  std::optional<Span> const open = map_.range_in(frame, {body->getLBracLoc(), body->getLBracLoc()});
+  std::optional<Span> const close = map_.range_in(frame, {body->getRBracLoc(), body->getRBracLoc()});
+  if (!open || !close) return Blocker{body->getLBracLoc(), {ReasonId::return_of_macro_function}};
+  brace = *open;
+  alterations.push_back({*open, "", " SYMREAL_RETURNS"});
+  alterations.push_back({*close, "SYMREAL_RETURNS_END ", ""});
+  for (ReturnStmt const *one : returns_of(function_)) {
+    Expr const *value = one->getRetValue();
+    if (map_.frame(one->getReturnLoc()) != frame) return Blocker{one->getReturnLoc(), {ReasonId::return_by_macro}};
+    std::optional<Span> const span = map_.range_in(frame, value->getSourceRange());
+    std::optional<Alteration> word =
+        replacing(frame, {one->getReturnLoc(), one->getReturnLoc()}, "SYMREAL_REAL_RETURN(");
+    if (!span || !word || isa<InitListExpr>(value->IgnoreImplicit()))
+      return Blocker{one->getReturnLoc(), {ReasonId::return_in_parts}};
+    if (map_.text_in(frame, {word->span.file, word->span.end, span->begin}) == " ") word->span.end = span->begin;
+    alterations.push_back(*word);
+    alterations.push_back({*span, "", ")"});
+  }
+  return std::nullopt;
+}
+
+DecisionCollector::Returns const &DecisionCollector::early_returns() {
+  if (returns_) return *returns_;
+  returns_.emplace();
+  std::vector<Alteration> alterations;
+  returns_->blocker = analysis_.body(function_, ArmAnalysis::Part::after_returns);
+  if (returns_->blocker) {
+    returns_->blocker->reason = {ReasonId::return_before, {}, {returns_->blocker->reason}};
+    return *returns_;
+  }
+  returns_->blocker = collect_returns(alterations, returns_->brace);
+  if (!returns_->blocker) {
+    DecisionFact &fact = facts_.decisions[returns_->brace];
+    if (fact.alterations.empty()) fact.alterations = std::move(alterations);
+  }
+  return *returns_;
+}
+
+void collect_decisions(ASTContext &context, SourceMap const &map, Reals const &reals, PragmaIndex const &index,
+                       Facts &facts) {
+  Functions functions(map);
+  functions.TraverseDecl(context.getTranslationUnitDecl());
+  DecisionCollector collector(context, map, reals, index, facts);
+  for (FunctionDecl const *function : functions.found) collector.function(function);
+  collector.check_pragmas();
+  // A macro's body is one text for all of its uses.
+  for (ConditionalOperator const *choice : functions.choices) collector.check_use_of_macro(choice);
 }
 
 } // namespace symreal::rewrite

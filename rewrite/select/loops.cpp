@@ -1,4 +1,4 @@
-#include "rewrite/select/decision_collector.h"
+#include "rewrite/select/decisions.h"
 
 #include "rewrite/source/walk.h"
 

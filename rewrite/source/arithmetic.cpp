@@ -1,6 +1,5 @@
 #include "rewrite/source/arithmetic.h"
 
-#include "rewrite/facts/merge.h"
 #include "rewrite/text/source_text.h"
 
 #include <algorithm>
@@ -80,9 +79,9 @@ void note(Facts &facts, std::optional<Span> const &span, ArithmeticFact fact, Pl
                            what + " is left out, of the reference as well: it changes arithmetic"});
 }
 
-class Watch : public PPCallbacks {
+class ArithmeticPragmas : public PPCallbacks {
 public:
-  Watch(SourceMap const &map, Facts &facts) : map_(map), facts_(facts) {}
+  ArithmeticPragmas(SourceMap const &map, Facts &facts) : map_(map), facts_(facts) {}
 
   // Whether the compiler knows the pragma or not, its text suffices here.
   void PragmaDirective(SourceLocation location, PragmaIntroducerKind kind) override {
@@ -198,10 +197,36 @@ private:
   std::vector<std::optional<Outside>> in_force_{1};
 };
 
+class RoundingPragmas : public PPCallbacks {
+public:
+  RoundingPragmas(SourceMap const &map, Facts &facts) : map_(map), facts_(facts) {}
+
+  // Whether the compiler knows the pragma or not, its text suffices here.
+  void PragmaDirective(SourceLocation location, PragmaIntroducerKind) override {
+    if (!map_.in_roots(location)) return;
+    llvm::StringRef const rest = map_.sources().getCharacterData(map_.sources().getSpellingLoc(location));
+    llvm::StringRef const line = rest.take_until([](char c) { return c == '\n'; });
+    auto const [before, mode] = line.split("FENV_ROUND");
+    if (mode.empty() || !before.contains("STDC")) return;
+    llvm::StringRef const name = mode.ltrim().take_while([](char c) { return llvm::isAlnum(c) || c == '_'; });
+    if (name == "FE_TONEAREST" || name == "FE_DYNAMIC") return;
+    add_diagnostic(facts_, {DiagnosticId::arithmetic_modes, map_.place(location),
+                            "FENV_ROUND " + name.str() + ": what is computed here does not round to nearest"});
+  }
+
+private:
+  SourceMap const &map_;
+  Facts &facts_;
+};
+
 } // namespace
 
 std::unique_ptr<PPCallbacks> make_arithmetic_pragma_watch(SourceMap const &map, Facts &facts) {
-  return std::make_unique<Watch>(map, facts);
+  return std::make_unique<ArithmeticPragmas>(map, facts);
+}
+
+std::unique_ptr<PPCallbacks> make_rounding_pragma_watch(SourceMap const &map, Facts &facts) {
+  return std::make_unique<RoundingPragmas>(map, facts);
 }
 
 // __attribute__((...)), [[...]]
@@ -230,8 +255,7 @@ void ArithmeticAttributes::within(Token const &token) {
 void ArithmeticAttributes::option(Token const &token) {
   SourceLocation const location = token.getLocation();
   if (!map_.in_roots(location)) return;
-  auto const [file, offset] = map_.sources().getDecomposedSpellingLoc(location);
-  if (map_.sources().getBufferData(file).substr(0, offset).ends_with("REAL_EITHER((")) return;
+  if (map_.text_before(location).ends_with("REAL_EITHER((")) return;
   std::string const literal(token.getLiteralData(), token.getLength());
   if (std::optional<std::string> rest = without_them(literal, is_target_ ? "sse2" : "no-fast-math"))
     note(facts_, map_.token(location), {literal, std::move(*rest)}, map_.place(location),

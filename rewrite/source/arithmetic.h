@@ -12,6 +12,9 @@ namespace symreal::rewrite {
 
 std::unique_ptr<clang::PPCallbacks> make_arithmetic_pragma_watch(SourceMap const &map, Facts &facts);
 
+// Reports `#pragma STDC FENV_ROUND FE_UPWARD`: arithmetic that does not round to nearest, by the text.
+std::unique_ptr<clang::PPCallbacks> make_rounding_pragma_watch(SourceMap const &map, Facts &facts);
+
 // Reader of attributes from the tokens, in their order: Clang's parser drops those that only gcc knows.
 class ArithmeticAttributes {
 public:

@@ -6,6 +6,7 @@
 #include "rewrite/source/source_map.h"
 
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -43,5 +44,12 @@ private:
   std::vector<clang::Token> tokens_;
   std::map<clang::SourceLocation, Text> texts_; // by where the invocation begins
 };
+
+// Collection of macro arguments that become text (#parameter) or part of a pasted token (parameter ## ...).
+//
+// An argument in which another macro was expanded first takes its text from that macro's body, which has other uses,
+// and may become REAL. The expansion of the outermost macro is noted instead.
+std::unique_ptr<clang::PPCallbacks> make_quoted_argument_collector(SourceMap const &map, Facts &facts,
+                                                                   ExpansionText &expansions);
 
 } // namespace symreal::rewrite

@@ -1,7 +1,8 @@
 #include "rewrite/source/lookups.h"
 
+#include "rewrite/request/request.h"
+
 #include <llvm/ADT/StringExtras.h>
-#include <llvm/Support/xxhash.h>
 
 #include <algorithm>
 #include <array>
@@ -101,11 +102,6 @@ private:
 };
 
 } // namespace
-
-std::string content_id(StringRef text) {
-  llvm::XXH128_hash_t const hash = llvm::xxh3_128bits(llvm::arrayRefFromStringRef(text));
-  return llvm::utohexstr(hash.high64, /*LowerCase=*/true, 16) + llvm::utohexstr(hash.low64, /*LowerCase=*/true, 16);
-}
 
 FileSystem watched_disk(Lookups &lookups) { return new WatchedDisk(lookups); }
 

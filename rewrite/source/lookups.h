@@ -36,7 +36,4 @@ private:
   std::map<std::string, std::string> answers_;
 };
 
-// Content hash that identifies a text.
-std::string content_id(llvm::StringRef text);
-
 } // namespace symreal::rewrite

@@ -87,9 +87,16 @@ std::optional<Span> SourceMap::characters(clang::SourceLocation begin, clang::So
 
 std::optional<Span> SourceMap::token(clang::SourceLocation location) const {
   if (location.isInvalid()) return std::nullopt;
-  clang::SourceLocation const spelled = sources_.getSpellingLoc(location);
-  unsigned const length = clang::Lexer::MeasureTokenLength(spelled, sources_, language_);
-  return characters(spelled, spelled.getLocWithOffset(static_cast<int>(length)));
+  return tokens(location, location);
+}
+
+std::optional<Span> SourceMap::tokens(clang::SourceLocation first, clang::SourceLocation last) const {
+  return characters(sources_.getSpellingLoc(first), behind(sources_.getSpellingLoc(last)));
+}
+
+clang::SourceLocation SourceMap::behind(clang::SourceLocation token) const {
+  unsigned const length = clang::Lexer::MeasureTokenLength(sources_.getSpellingLoc(token), sources_, language_);
+  return token.getLocWithOffset(static_cast<int>(length));
 }
 
 std::optional<Span> SourceMap::token(clang::SourceLocation location, llvm::StringRef spelling) const {
@@ -106,9 +113,8 @@ std::optional<Span> SourceMap::first_character(clang::SourceLocation location) c
 
 std::optional<Span> SourceMap::range(clang::SourceRange range) const {
   if (range.isInvalid()) return std::nullopt;
-  clang::CharSourceRange const written =
-      clang::Lexer::makeFileCharRange(clang::CharSourceRange::getTokenRange(range), sources_, language_);
-  if (written.isValid()) return characters(written.getBegin(), written.getEnd());
+  clang::CharSourceRange const in_file = written(range);
+  if (in_file.isValid()) return characters(in_file.getBegin(), in_file.getEnd());
   clang::SourceLocation begin = range.getBegin(), end = range.getEnd();
   llvm::SmallString<16> scratch;
   if (!begin.isMacroID() || !end.isMacroID()) return std::nullopt;
@@ -129,9 +135,11 @@ std::optional<Span> SourceMap::range(clang::SourceRange range) const {
   for (clang::SourceLocation const side : {begin, end}) // where `...` names one argument here, it names more elsewhere
     if (clang::Lexer::getSpelling(sources_.getSpellingLoc(side), scratch, sources_, language_) == "__VA_ARGS__")
       return std::nullopt;
-  clang::SourceLocation const last = sources_.getSpellingLoc(end);
-  unsigned const length = clang::Lexer::MeasureTokenLength(last, sources_, language_);
-  return characters(sources_.getSpellingLoc(begin), last.getLocWithOffset(static_cast<int>(length)));
+  return tokens(begin, end);
+}
+
+clang::CharSourceRange SourceMap::written(clang::SourceRange range) const {
+  return clang::Lexer::makeFileCharRange(clang::CharSourceRange::getTokenRange(range), sources_, language_);
 }
 
 // Range of tokens in one file for both ends: a parameter's name stands for an argument, a macro's name for its
@@ -148,17 +156,21 @@ std::optional<clang::SourceRange> SourceMap::words_for(clang::SourceLocation beg
 // The location, then that of each parameter or macro whose expansion begins (or ends) with it.
 llvm::SmallVector<clang::SourceLocation, 8> SourceMap::standing_for(clang::SourceLocation location, Side side) const {
   llvm::SmallVector<clang::SourceLocation, 8> all = {location};
-  while (location.isMacroID()) {
-    unsigned const length = clang::Lexer::MeasureTokenLength(sources_.getSpellingLoc(location), sources_, language_);
-    clang::SourceLocation const behind = location.getLocWithOffset(static_cast<int>(length));
-    if (side == Side::begin ? !sources_.isAtStartOfImmediateMacroExpansion(location)
-                            : !sources_.isAtEndOfImmediateMacroExpansion(behind))
-      break;
-    clang::CharSourceRange const invocation = sources_.getImmediateExpansionRange(location);
-    location = side == Side::begin ? invocation.getBegin() : invocation.getEnd();
+  while (location.isMacroID() && is_at_edge(location, side)) {
+    location = expanded_at(location, side);
     all.push_back(location);
   }
   return all;
+}
+
+bool SourceMap::is_at_edge(clang::SourceLocation location, Side side) const {
+  return side == Side::begin ? sources_.isAtStartOfImmediateMacroExpansion(location)
+                             : sources_.isAtEndOfImmediateMacroExpansion(behind(location));
+}
+
+clang::SourceLocation SourceMap::expanded_at(clang::SourceLocation location, Side side) const {
+  clang::CharSourceRange const invocation = sources_.getImmediateExpansionRange(location);
+  return side == Side::begin ? invocation.getBegin() : invocation.getEnd();
 }
 
 std::optional<Span> SourceMap::range_for(clang::SourceLocation user, clang::SourceRange range) const {
@@ -179,9 +191,8 @@ bool SourceMap::is_shared(clang::SourceRange range) const {
 }
 
 bool SourceMap::is_in_one_place(clang::SourceRange range) const {
-  clang::CharSourceRange const written =
-      clang::Lexer::makeFileCharRange(clang::CharSourceRange::getTokenRange(range), sources_, language_);
-  if (written.isInvalid()) return false;
+  clang::CharSourceRange const in_file = written(range);
+  if (in_file.isInvalid()) return false;
   if (!inclusions_) {
     inclusions_.emplace();
     for (unsigned i = 0; i < sources_.local_sloc_entry_size(); ++i)
@@ -189,7 +200,7 @@ bool SourceMap::is_in_one_place(clang::SourceRange range) const {
         if (clang::OptionalFileEntryRef const file = entry.getFile().getContentCache().OrigEntry)
           ++(*inclusions_)[&file->getFileEntry()];
   }
-  clang::OptionalFileEntryRef const file = sources_.getFileEntryRefForID(sources_.getFileID(written.getBegin()));
+  clang::OptionalFileEntryRef const file = sources_.getFileEntryRefForID(sources_.getFileID(in_file.getBegin()));
   return !file || inclusions_->lookup(&file->getFileEntry()) <= 1;
 }
 
@@ -204,8 +215,7 @@ clang::SourceLocation SourceMap::climb(clang::FileID frame, clang::SourceLocatio
     if (!sources_.isMacroArgExpansion(location)) return {};
     clang::SourceLocation const written = climb(frame, sources_.getImmediateSpellingLoc(location), side);
     if (written.isValid()) return written;
-    clang::CharSourceRange const parameter = sources_.getImmediateExpansionRange(location);
-    location = side == Side::begin ? parameter.getBegin() : parameter.getEnd();
+    location = expanded_at(location, side);
   }
   return sources_.getFileID(location) == frame ? location : clang::SourceLocation();
 }
@@ -218,31 +228,22 @@ bool SourceMap::is_whole(clang::FileID frame, clang::SourceLocation location, Si
       location = written;
       continue;
     }
-    auto const length =
-        static_cast<int>(clang::Lexer::MeasureTokenLength(sources_.getSpellingLoc(location), sources_, language_));
-    if (side == Side::begin ? !sources_.isAtStartOfImmediateMacroExpansion(location)
-                            : !sources_.isAtEndOfImmediateMacroExpansion(location.getLocWithOffset(length)))
-      return false;
-    clang::CharSourceRange const parameter = sources_.getImmediateExpansionRange(location);
-    location = side == Side::begin ? parameter.getBegin() : parameter.getEnd();
+    if (!is_at_edge(location, side)) return false;
+    location = expanded_at(location, side);
   }
   return sources_.getFileID(location) == frame;
 }
 
 std::optional<Span> SourceMap::range_in(clang::FileID frame, clang::SourceRange range) const {
   if (range.isInvalid()) return std::nullopt;
-  bool const in_file = sources_.getSLocEntry(frame).isFile();
-  if (in_file) {
-    clang::CharSourceRange const written =
-        clang::Lexer::makeFileCharRange(clang::CharSourceRange::getTokenRange(range), sources_, language_);
-    return written.isValid() ? characters(written.getBegin(), written.getEnd()) : std::nullopt;
+  if (sources_.getSLocEntry(frame).isFile()) {
+    clang::CharSourceRange const in_file = written(range);
+    return in_file.isValid() ? characters(in_file.getBegin(), in_file.getEnd()) : std::nullopt;
   }
   clang::SourceLocation const first = climb(frame, range.getBegin(), Side::begin);
   clang::SourceLocation const last = climb(frame, range.getEnd(), Side::end);
   if (first.isInvalid() || last.isInvalid()) return std::nullopt;
-  clang::SourceLocation const end = sources_.getSpellingLoc(last);
-  unsigned const length = clang::Lexer::MeasureTokenLength(end, sources_, language_);
-  return characters(sources_.getSpellingLoc(first), end.getLocWithOffset(static_cast<int>(length)));
+  return tokens(first, last);
 }
 
 Place SourceMap::presumed(clang::SourceLocation location) const {
@@ -281,6 +282,11 @@ bool SourceMap::is_argument_of(clang::SourceLocation location, llvm::StringRef m
 std::string SourceMap::text(Span const &span, clang::SourceLocation inside) const {
   clang::FileID const file = sources_.getFileID(sources_.getSpellingLoc(inside));
   return sources_.getBufferData(file).substr(span.begin, span.end - span.begin).str();
+}
+
+llvm::StringRef SourceMap::text_before(clang::SourceLocation location) const {
+  auto const [file, offset] = sources_.getDecomposedSpellingLoc(location);
+  return sources_.getBufferData(file).take_front(offset);
 }
 
 std::string SourceMap::text_in(clang::FileID frame, Span const &span) const {

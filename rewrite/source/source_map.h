@@ -71,6 +71,8 @@ public:
   bool is_argument_of(clang::SourceLocation location, llvm::StringRef macro) const;
 
   std::string text(Span const &span, clang::SourceLocation inside) const;
+  // The file's text before the token, as it is spelled.
+  llvm::StringRef text_before(clang::SourceLocation location) const;
   std::string text_in(clang::FileID frame, Span const &span) const;
 
   // Adds the files of the roots that were read.
@@ -88,6 +90,16 @@ private:
   std::string compiled_name(llvm::StringRef name) const;
   Place presumed(clang::SourceLocation location) const;
   enum class Side { begin, end };
+  // The characters of the tokens from the first to the last, where that is in one file.
+  std::optional<Span> tokens(clang::SourceLocation first, clang::SourceLocation last) const;
+  // End of the token.
+  clang::SourceLocation behind(clang::SourceLocation token) const;
+  // The same range in a file; invalid if no file holds all of it.
+  clang::CharSourceRange written(clang::SourceRange range) const;
+  // Whether the innermost expansion around the location begins, or ends, with it.
+  bool is_at_edge(clang::SourceLocation location, Side side) const;
+  // Begin or end of the innermost invocation around the location.
+  clang::SourceLocation expanded_at(clang::SourceLocation location, Side side) const;
   std::optional<clang::SourceRange> words_for(clang::SourceLocation begin, clang::SourceLocation end) const;
   llvm::SmallVector<clang::SourceLocation, 8> standing_for(clang::SourceLocation location, Side side) const;
   clang::SourceLocation climb(clang::FileID frame, clang::SourceLocation location, Side side) const;

@@ -3,7 +3,6 @@
 #include "engine/support/files.h"
 #include "engine/support/installation.h"
 #include "rewrite/source/arithmetic.h"
-#include "rewrite/source/keyword_names.h"
 
 #include <sstream>
 
@@ -62,6 +61,15 @@ private:
   Names const names_;
 };
 
+// Notes a token of a C source that must be renamed.
+void note_keyword_name(Token const &token, SourceMap const &map, Facts &facts) {
+  llvm::StringRef const name = token.getIdentifierInfo()->getName();
+  if (!is_renamed(name) || map.is_argument_of(token.getLocation(), "REAL_NAME")) return;
+  // A name that a macro pasted together has no place in a file; its declaration is reported.
+  if (std::optional<Span> const span = map.token(token.getLocation(), name))
+    facts.wraps.insert({*span, Use::name, name.str()});
+}
+
 // Before C99 `x //* half */ 2` is a division and a comment; later it is a comment alone.
 void note_division(Token const &token, SourceMap const &map, Facts &facts) {
   char const *const text = map.sources().getCharacterData(map.sources().getSpellingLoc(token.getLocation()));
@@ -71,6 +79,21 @@ void note_division(Token const &token, SourceMap const &map, Facts &facts) {
 }
 
 } // namespace
+
+bool is_keyword_of_cpp(llvm::StringRef name) {
+  static llvm::StringSet<> const keywords = {
+      "alignas",   "alignof",   "and",      "bool",          "catch",     "class",     "compl",       "concept",
+      "constexpr", "decltype",  "delete",   "explicit",      "export",    "false",     "friend",      "mutable",
+      "namespace", "new",       "noexcept", "not",           "nullptr",   "operator",  "or",          "private",
+      "protected", "public",    "requires", "template",      "this",      "throw",     "true",        "try",
+      "typeid",    "typename",  "using",    "virtual",       "wchar_t",   "xor",       "char16_t",    "char32_t",
+      "co_await",  "co_return", "co_yield", "static_assert", "consteval", "constinit", "thread_local"};
+  return keywords.contains(name);
+}
+
+bool is_renamed(llvm::StringRef name) {
+  return is_keyword_of_cpp(name) && name != "wchar_t" && name != "char16_t" && name != "char32_t";
+}
 
 void watch_tokens(Preprocessor &preprocessor, SourceMap const &map, std::string const &type_name, Facts &facts,
                   ExpansionText &expansions) {

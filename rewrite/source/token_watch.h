@@ -13,4 +13,11 @@ namespace symreal::rewrite {
 void watch_tokens(clang::Preprocessor &preprocessor, SourceMap const &map, std::string const &type_name, Facts &facts,
                   ExpansionText &expansions);
 
+// Names of C sources that are keywords of C++: `new`, `class`, a `bool` of one's own. Symbolic mode compiles C as C++,
+// so each gets another name there.
+bool is_keyword_of_cpp(llvm::StringRef name);
+
+// Whether a token of this name can be renamed. Names that a system header declares for C cannot.
+bool is_renamed(llvm::StringRef name);
+
 } // namespace symreal::rewrite

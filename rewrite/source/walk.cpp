@@ -87,4 +87,20 @@ SYMREAL_ENTERED_TYPES(ENTERED_TYPE)
 bool Walk::VisitStmt(Stmt *) { return true; }
 bool Walk::VisitDecl(Decl *) { return true; }
 
+std::vector<ReturnStmt const *> returns_of(FunctionDecl const *function) {
+  class Returns : public Walk {
+  public:
+    bool TraverseLambdaExpr(LambdaExpr *) override { return true; }
+    bool TraverseCXXRecordDecl(CXXRecordDecl *) override { return true; }
+    bool VisitReturnStmt(ReturnStmt *statement) override {
+      found.push_back(statement);
+      return true;
+    }
+    std::vector<ReturnStmt const *> found;
+  };
+  Returns returns;
+  returns.TraverseStmt(function->getBody());
+  return std::move(returns.found);
+}
+
 } // namespace symreal::rewrite

@@ -10,21 +10,35 @@
 namespace symreal::rewrite {
 namespace {
 
+// The extents of the item's sections as an argument, if it has any.
+std::string extents_argument(ItemFact const &item) {
+  std::string extents;
+  for (Section const &section : item.sections) extents += (extents.empty() ? "" : ", ") + section.length;
+  return extents.empty() ? "" : "::symreal::symreal_extents(" + with_real(extents) + "), ";
+}
+
+// A value under its name, with its place.
+std::string value_text(char const *macro, FunctionFact::Value const &value) {
+  return macro + ("(" + in_quotes(value.name)) + ", " + in_quotes(to_string(value.place)) + ", " + value.name + ") ";
+}
+
+std::string leads_text(std::vector<std::string> const &leads) {
+  std::string text;
+  for (std::string const &object : leads) text += "SYMREAL_LEADS(" + object + ") ";
+  return text;
+}
+
 std::string annotation(Clause clause, ItemFact const &item) {
   if (means_file(clause, item)) return "SYMREAL_FILE(" + place_arguments(item.label, item.place) + ")";
-  bool const is_object = item.sections.empty();
   std::string macro = info(clause).has(trait::KEPT) ? "SYMREAL_DECLARE" : "SYMREAL_OBJECT";
   std::string layout;
   if (!item.layout.text.empty()) {
     macro = "SYMREAL_LAYOUT";
     layout = layout_arguments(item.layout) + ", ";
   }
-  if (!is_object) macro = macro == "SYMREAL_OBJECT" ? "SYMREAL_SECTION" : macro + "_SECTION";
-  std::string extents;
-  for (Section const &section : item.sections) extents += (extents.empty() ? "" : ", ") + section.length;
+  if (!item.sections.empty()) macro = macro == "SYMREAL_OBJECT" ? "SYMREAL_SECTION" : macro + "_SECTION";
   return macro + "(" + name_of(clause) + ", " + place_arguments(item.label, item.place) + ", " +
-         (is_object ? "" : "::symreal::symreal_extents(" + with_real(extents) + "), ") + layout +
-         with_real(evaluated(item)) + ")";
+         extents_argument(item) + layout + with_real(evaluated(item)) + ")";
 }
 
 // A private copy of a pointer-to-const's target replaces it before the kernel writes nodes there.
@@ -49,18 +63,13 @@ std::string rebound_ends(FunctionFact const &function, std::string const &entry)
 }
 
 std::string implicit_text(ItemFact const &item) {
-  std::string extents;
-  for (Section const &section : item.sections) extents += (extents.empty() ? "" : ", ") + section.length;
   return (item.sections.empty() ? "SYMREAL_IMPLICIT(" : "SYMREAL_IMPLICIT_SECTION(") +
-         place_arguments(item.label, item.place) + ", " +
-         (item.sections.empty() ? "" : "::symreal::symreal_extents(" + with_real(extents) + "), ") +
-         with_real(evaluated(item)) + ") ";
+         place_arguments(item.label, item.place) + ", " + extents_argument(item) + with_real(evaluated(item)) + ") ";
 }
 
 std::string clause_text(PragmaFact const &pragma, ClauseFact const &clause) {
   if (clause.clause == Clause::generate)
-    return "SYMREAL_GENERATE(" + clause.argument + ", " + in_quotes(clause.place.file) + ", " +
-           std::to_string(clause.place.line) + ", " + std::to_string(clause.place.column) + ") ";
+    return "SYMREAL_GENERATE(" + clause.argument + ", " + place_words(clause.place) + ") ";
   if (clause.clause == Clause::decisions)
     return (pragma.is_function ? "SYMREAL_DECISIONS(" : "SYMREAL_REAL_DECISIONS(") + clause.argument + ") ";
   if (clause.clause == Clause::exact) return pragma.is_function ? "SYMREAL_EXACT " : "SYMREAL_REAL_EXACT ";
@@ -99,8 +108,11 @@ bool is_annotated(PragmaFact const &pragma, std::string const &name) {
 } // namespace
 
 std::string place_arguments(std::string const &label, Place const &place) {
-  return in_quotes(label) + ", " + in_quotes(place.file) + ", " + std::to_string(place.line) + ", " +
-         std::to_string(place.column);
+  return in_quotes(label) + ", " + place_words(place);
+}
+
+std::string place_words(Place const &place) {
+  return in_quotes(place.file) + ", " + std::to_string(place.line) + ", " + std::to_string(place.column);
 }
 
 std::string const &evaluated(ItemFact const &item) { return item.tested.empty() ? item.expression : item.tested; }
@@ -118,19 +130,9 @@ std::string layout_arguments(ObjectLayout const &layout) {
   return in_quotes(layout.text) + ", (" + types + ")";
 }
 
-std::string leads_text(std::vector<std::string> const &leads) {
-  std::string text;
-  for (std::string const &object : leads) text += "SYMREAL_LEADS(" + object + ") ";
-  return text;
-}
-
 std::string region_text(PragmaFact const &pragma) {
   std::string text, around;
-  for (FunctionFact::Value const &value : pragma.around)
-    around
-        .append("SYMREAL_AROUND(" + in_quotes(value.name) + ", " + in_quotes(to_string(value.place)) + ", " +
-                value.name)
-        .append(") ");
+  for (FunctionFact::Value const &value : pragma.around) around += value_text("SYMREAL_AROUND", value);
   around += leads_text(pragma.leads);
   for (ClauseFact const &clause : pragma.clauses) {
     text += clause_text(pragma, clause);
@@ -150,15 +152,9 @@ std::string function_text(PragmaFact const &pragma) {
   if (!pragma.is_kernel()) return trimmed(entry);
   std::string text = "SYMREAL_FUNCTION(" + place_arguments(pragma.function[0].name, pragma.place) + call + ") " +
                      entry + rebound_ends(pragma.function[0], entry);
-  for (FunctionFact::Value const &value : pragma.function[0].parameters)
-    text.append("SYMREAL_PARAMETER(" + in_quotes(value.name) + ", " + in_quotes(to_string(value.place)) + ", " +
-                value.name)
-        .append(") ");
+  for (FunctionFact::Value const &value : pragma.function[0].parameters) text += value_text("SYMREAL_PARAMETER", value);
   for (FunctionFact::Value const &value : pragma.function[0].values)
-    if (!is_annotated(pragma, value.name))
-      text.append("SYMREAL_ARGUMENT(" + in_quotes(value.name) + ", " + in_quotes(to_string(value.place)) + ", " +
-                  value.name)
-          .append(") ");
+    if (!is_annotated(pragma, value.name)) text += value_text("SYMREAL_ARGUMENT", value);
   text += leads_text(pragma.function[0].leads);
   // Needed even if `return` is the only output: it ends the annotations of the function's entry.
   return text + "SYMREAL_OUTPUTS_BEGIN " + exit + "SYMREAL_OUTPUTS_END";

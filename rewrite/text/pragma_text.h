@@ -11,6 +11,9 @@ namespace symreal::rewrite {
 // First arguments of every annotation macro: `"label", "file", line, column`.
 std::string place_arguments(std::string const &label, Place const &place);
 
+// A place as arguments: `"file", line, column`.
+std::string place_words(Place const &place);
+
 // Expression that an annotation evaluates: the item's, with tests of its indices.
 std::string const &evaluated(ItemFact const &item);
 

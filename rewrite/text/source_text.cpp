@@ -2,15 +2,60 @@
 
 #include "engine/support/mutation/is_dropped.h"
 #include "rewrite/request/request.h"
-#include "rewrite/text/raw_tokens.h"
+
+#include <clang/Basic/LangOptions.h>
+#include <clang/Lex/Lexer.h>
 
 #include <cctype>
 #include <cmath>
 #include <cstdlib>
+#include <functional>
 #include <optional>
 #include <string_view>
 
 namespace symreal::rewrite {
+namespace {
+
+RawToken::Kind kind_of(clang::Token const &token) {
+  if (token.is(clang::tok::raw_identifier)) return RawToken::Kind::word;
+  if (token.is(clang::tok::comment)) return RawToken::Kind::comment;
+  return token.isLiteral() ? RawToken::Kind::literal : RawToken::Kind::other;
+}
+
+// Calls `take` for each token from `begin` on, until it returns false.
+void for_raw_tokens(std::string const &text, std::size_t begin, std::function<bool(RawToken const &)> const &take) {
+  clang::LangOptions language;
+  language.CPlusPlus = language.CPlusPlus11 = language.CPlusPlus14 = language.CPlusPlus17 = language.CPlusPlus20 = true;
+  language.LineComment = true;
+  clang::Lexer lexer(clang::SourceLocation(), language, text.data(), text.data() + begin, text.data() + text.size());
+  lexer.SetCommentRetentionState(true);
+  clang::Token token;
+  while (!lexer.LexFromRawLexer(token) || token.isNot(clang::tok::eof)) {
+    if (token.is(clang::tok::eof)) return;
+    auto const end = static_cast<std::size_t>(lexer.getBufferLocation() - text.data());
+    if (!take({kind_of(token), end - token.getLength(), end, token.isAtStartOfLine()})) return;
+  }
+}
+
+// A number that is written as one, `nan` and `inf` among them.
+std::optional<double> literal(std::string const &text) {
+  char *end = nullptr;
+  double const value = std::strtod(text.c_str(), &end);
+  std::size_t const length = static_cast<std::size_t>(end - text.c_str());
+  bool const is_literal = length > 0 && text.find_first_not_of(' ', length) == text.npos;
+  return is_literal ? std::optional(value) : std::nullopt;
+}
+
+} // namespace
+
+std::vector<RawToken> raw_tokens(std::string const &text) {
+  std::vector<RawToken> tokens;
+  for_raw_tokens(text, 0, [&](RawToken const &token) {
+    tokens.push_back(token);
+    return true;
+  });
+  return tokens;
+}
 
 bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
@@ -29,15 +74,6 @@ std::size_t closing_parenthesis(std::string const &text, std::size_t open) {
 std::string trimmed(std::string text) {
   while (!text.empty() && text.back() == ' ') text.pop_back();
   return text;
-}
-
-// A number that is written as one, `nan` and `inf` among them.
-static std::optional<double> literal(std::string const &text) {
-  char *end = nullptr;
-  double const value = std::strtod(text.c_str(), &end);
-  std::size_t const length = static_cast<std::size_t>(end - text.c_str());
-  bool const is_literal = length > 0 && text.find_first_not_of(' ', length) == text.npos;
-  return is_literal ? std::optional(value) : std::nullopt;
 }
 
 bool is_not_finite(std::string const &number) {

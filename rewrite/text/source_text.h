@@ -1,12 +1,22 @@
-// Text functions for C and C++ without a parser.
+// Text functions for C and C++ without a parser, and the tokens that they read, from Clang's raw lexer.
 #pragma once
 
-#include "engine/support/quoted.h"
+#include "engine/support/text.h"
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 namespace symreal::rewrite {
+
+struct RawToken {
+  enum class Kind : unsigned char { word, literal, comment, other }; // a literal: text, a character, a number
+  Kind kind;
+  std::size_t begin, end; // in the text
+  bool begins_line;       // the first token of its line, comments aside
+};
+
+std::vector<RawToken> raw_tokens(std::string const &text);
 
 // Whether the character may stand in an identifier.
 bool is_word(char c);

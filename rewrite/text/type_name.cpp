@@ -1,6 +1,5 @@
 #include "rewrite/text/type_name.h"
 
-#include "rewrite/text/raw_tokens.h"
 #include "rewrite/text/source_text.h"
 
 #include <algorithm>

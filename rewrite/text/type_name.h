@@ -18,8 +18,8 @@ std::string choose_type_name(Request const &request, Facts const &facts, std::ve
 // The text with the long forms in it replaced.
 std::string with_type_name(std::string const &text, std::string const &type_name);
 
-// Names that symbolic mode has others for: keywords of C++ (keyword_names.h) wherever they stand, and those of
-// functions, variables and types at file scope (c_names.h), which members may have as well.
+// Names that symbolic mode has others for: keywords of C++ (token_watch.h) wherever they stand, and those of
+// functions, variables and types at file scope (c/names.cpp), which members may have as well.
 struct RenamedNames {
   std::set<std::string> all;
   std::set<std::string> at_file_scope;

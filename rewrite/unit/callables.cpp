@@ -1,13 +1,12 @@
 #include "rewrite/unit/callables.h"
 
-#include "rewrite/model/plain_declaration.h"
 #include "rewrite/model/scalar_state.h"
+#include "rewrite/model/signature.h"
 #include "rewrite/source/source_map.h"
 #include "rewrite/source/walk.h"
 #include "rewrite/unit/collect_source.h"
 
 #include <algorithm>
-#include <clang/AST/QualTypeNames.h>
 
 namespace symreal::rewrite {
 namespace {
@@ -289,46 +288,14 @@ private:
   std::vector<Callable> &found_;
 };
 
-class Action : public ASTFrontendAction {
-public:
-  Action(std::string const &name, std::vector<Callable> &found) : name_(name), found_(found) {}
-
-  std::unique_ptr<ASTConsumer> CreateASTConsumer(CompilerInstance &compiler, llvm::StringRef) override {
-    class Consumer : public ASTConsumer {
-    public:
-      Consumer(CompilerInstance &compiler, std::string const &name, std::vector<Callable> &found)
-          : map_(compiler.getSourceManager(), compiler.getLangOpts(), scope_),
-            name_(name),
-            found_(found) {}
-      void HandleTranslationUnit(ASTContext &context) override {
-        Finder(context, map_, name_, found_).TraverseDecl(context.getTranslationUnitDecl());
-      }
-
-    private:
-      Scope scope_;
-      SourceMap map_;
-      std::string const &name_;
-      std::vector<Callable> &found_;
-    };
-    return std::make_unique<Consumer>(compiler, name_, found_);
-  }
-
-private:
-  std::string const &name_;
-  std::vector<Callable> &found_;
-};
-
 } // namespace
 
 // Callables with this name in one source.
 static std::vector<Callable> callables_of(Compilation const &source, Request const &request, std::string const &name) {
   std::vector<Callable> found;
-  IgnoringDiagConsumer ignore;
-  IntrusiveRefCntPtr<FileManager> const files(
-      new FileManager(FileSystemOptions(), file_system(source, request, own_disk())));
-  tooling::ToolInvocation invocation(command_line(source), std::make_unique<Action>(name, found), files.get());
-  invocation.setDiagnosticConsumer(&ignore);
-  (void)invocation.run();
+  visit_tree(source, file_system(source, request, own_disk()), Scope(), [&](ASTContext &context, SourceMap const &map) {
+    Finder(context, map, name, found).TraverseDecl(context.getTranslationUnitDecl());
+  });
   return found;
 }
 

@@ -1,17 +1,15 @@
 #include "rewrite/unit/collect_source.h"
 
 #include "engine/support/installation.h"
-#include "rewrite/collect/choices.h"
-#include "rewrite/facts/merge.h"
 #include "rewrite/pragma/configured.h"
 #include "rewrite/pragma/pragma_handler.h"
-#include "rewrite/pragma/rounding_pragma.h"
 #include "rewrite/request/driver_options.h"
-#include "rewrite/source/quoted_arguments.h"
+#include "rewrite/source/arithmetic.h"
+#include "rewrite/source/expansion_text.h"
 #include "rewrite/source/source_map.h"
 #include "rewrite/source/spelled_types.h"
 #include "rewrite/source/token_watch.h"
-#include "rewrite/unit/visitor.h"
+#include "rewrite/unit/choices.h"
 
 #include <algorithm>
 
@@ -187,8 +185,6 @@ void read_serially(std::vector<std::string> &words) {
   }
 }
 
-} // namespace
-
 // The compiler's command line without options that only concern its outputs.
 std::vector<std::string> command_line(Compilation const &compilation) {
   std::string const resources = "-resource-dir=" SYMREAL_CLANG_RESOURCES;
@@ -206,8 +202,6 @@ std::vector<std::string> command_line(Compilation const &compilation) {
   words.push_back(compilation.source);
   return words;
 }
-
-namespace {
 
 void add(Facts &facts, DiagnosticId id, Place const &place, std::string message, std::vector<Note> notes = {}) {
   for (symreal::Diagnostic const &known : facts.diagnostics)
@@ -301,6 +295,39 @@ FileSystem file_system(Compilation const &compilation, Request const &request, F
   if (!files->exists(compilation.source))
     fail(DiagnosticId::unreadable_file, {}, "'" + compilation.source + "' cannot be read");
   return files;
+}
+
+void visit_tree(Compilation const &compilation, FileSystem const &files, Scope const &scope,
+                std::function<void(ASTContext &, SourceMap const &)> const &visit) {
+  using Visit = std::function<void(ASTContext &, SourceMap const &)>;
+  class TreeConsumer : public ASTConsumer {
+  public:
+    TreeConsumer(CompilerInstance &compiler, Scope const &scope, Visit const &visit)
+        : map_(compiler.getSourceManager(), compiler.getLangOpts(), scope),
+          visit_(visit) {}
+    void HandleTranslationUnit(ASTContext &context) override { visit_(context, map_); }
+
+  private:
+    SourceMap map_;
+    Visit const &visit_;
+  };
+  class TreeAction : public ASTFrontendAction {
+  public:
+    TreeAction(Scope const &scope, Visit const &visit) : scope_(scope), visit_(visit) {}
+    std::unique_ptr<ASTConsumer> CreateASTConsumer(CompilerInstance &compiler, llvm::StringRef) override {
+      return std::make_unique<TreeConsumer>(compiler, scope_, visit_);
+    }
+
+  private:
+    Scope const &scope_;
+    Visit const &visit_;
+  };
+  IgnoringDiagConsumer ignored;
+  IntrusiveRefCntPtr<FileManager> const manager(new FileManager(FileSystemOptions(), files));
+  tooling::ToolInvocation invocation(command_line(compilation), std::make_unique<TreeAction>(scope, visit),
+                                     manager.get());
+  invocation.setDiagnosticConsumer(&ignored);
+  invocation.run();
 }
 
 FileSystem own_disk() { return llvm::vfs::createPhysicalFileSystem().release(); }

@@ -5,9 +5,13 @@
 #include "rewrite/source/clang.h"
 #include "rewrite/source/lookups.h"
 
+#include <functional>
+
 namespace symreal::rewrite {
 
+struct PragmaIndex;
 struct Scope;
+class SourceMap;
 
 // The disk for one thread: each has a working directory of its own.
 FileSystem own_disk();
@@ -21,7 +25,12 @@ FileSystem file_system(Compilation const &compilation, Request const &request, F
 Facts collect_source(Compilation const &compilation, Scope const &scope, Request const &request,
                      FileSystem const &disk);
 
-// Command line with which Clang reads the source.
-std::vector<std::string> command_line(Compilation const &compilation);
+// Facts about the roots from a walk of the source's syntax tree (visitor.cpp).
+void collect_tree(clang::ASTContext &context, SourceMap const &map, PragmaIndex const &index, Request const &request,
+                  Facts &facts);
+
+// Reads a source as far as it compiles, and visits its syntax tree. Its errors are ignored: the rewriter reports them.
+void visit_tree(Compilation const &compilation, FileSystem const &files, Scope const &scope,
+                std::function<void(clang::ASTContext &, SourceMap const &)> const &visit);
 
 } // namespace symreal::rewrite

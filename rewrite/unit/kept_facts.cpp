@@ -2,18 +2,20 @@
 
 #include "engine/support/installation.h"
 #include "rewrite/facts/bytes.h"
-#include "rewrite/facts/fact_bytes.h"
 #include "rewrite/pragma/configured.h"
 #include "rewrite/source/source_map.h"
 #include "rewrite/unit/collect_source.h"
-#include "rewrite/unit/tool_identity.h"
 
 #include <clang/Basic/Version.h>
 #include <llvm/ADT/StringExtras.h>
 #include <llvm/Support/SHA256.h>
 
 #include <cstdlib>
+#include <cstring>
 #include <ctime>
+#include <fmt/format.h>
+#include <link.h>
+#include <sys/stat.h>
 
 namespace symreal::rewrite {
 
@@ -63,6 +65,61 @@ public:
 private:
   llvm::SHA256 hash_;
 };
+
+// The note of the linker, else nothing.
+std::string_view build_id(dl_phdr_info const &object) {
+  for (ElfW(Half) i = 0; i < object.dlpi_phnum; ++i) {
+    ElfW(Phdr) const &segment = object.dlpi_phdr[i];
+    if (segment.p_type != PT_NOTE) continue;
+    auto const aligned = [&](std::size_t size) {
+      return (size + segment.p_align - 1) / segment.p_align * segment.p_align;
+    };
+    if (segment.p_align != 4 && segment.p_align != 8) continue;
+    char const *const notes = reinterpret_cast<char const *>(object.dlpi_addr + segment.p_vaddr);
+    for (std::size_t at = 0; at + sizeof(ElfW(Nhdr)) <= segment.p_memsz;) {
+      ElfW(Nhdr) note;
+      std::memcpy(&note, notes + at, sizeof note);
+      std::size_t const name = at + sizeof note, contents = aligned(name + note.n_namesz);
+      if (note.n_type == NT_GNU_BUILD_ID && std::string_view(notes + name, note.n_namesz) == std::string_view("GNU", 4))
+        return {notes + contents, note.n_descsz};
+      at = aligned(contents + note.n_descsz);
+    }
+  }
+  return {};
+}
+
+// An object without the note goes by its path, size and time.
+std::string file_identity(char const *name) {
+  std::string const path = *name ? name : "/proc/self/exe";
+  struct stat status = {};
+  if (stat(path.c_str(), &status) != 0) return path; // the kernel's own
+  return fmt::format("{} {} {}.{}", path, status.st_size, status.st_mtim.tv_sec, status.st_mtim.tv_nsec);
+}
+
+int add_identity(dl_phdr_info *object, std::size_t, void *all) {
+  std::string_view const id = build_id(*object);
+  auto &text = *static_cast<std::string *>(all);
+  for (char const byte : id) text += fmt::format("{:02x}", static_cast<unsigned char>(byte));
+  text += id.empty() ? file_identity(object->dlpi_name) + "\n" : "\n";
+  return 0;
+}
+
+// Identity of this tool, down to the bytes of its code: another text for another build of this program or of a library
+// that it is loaded with, Clang's among them. The linker gives each an identity that follows from its contents.
+std::string const &tool_identity() {
+  static std::string const identity = [] {
+    std::string all;
+    dl_iterate_phdr(add_identity, &all);
+    return all;
+  }();
+  return identity;
+}
+
+double processor_seconds() {
+  timespec now = {};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
 
 bool tells_time(Facts const &facts) {
   for (auto const &[path, file] : facts.files)
@@ -140,12 +197,6 @@ void KeptFacts::keep(std::string const &key, Lookups const &lookups, Facts const
   Write write;
   write(kept);
   request_.kept->keep(key, write.result());
-}
-
-static double processor_seconds() {
-  timespec now = {};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
 Facts KeptFacts::collect(Compilation const &source) {

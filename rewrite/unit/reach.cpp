@@ -176,42 +176,12 @@ private:
   llvm::SmallPtrSet<Expr const *, 32> elements_; // arrays of which one element is taken
 };
 
-class Consumer : public ASTConsumer {
-public:
-  Consumer(CompilerInstance &compiler, Scope const &scope, Known &known)
-      : map_(compiler.getSourceManager(), compiler.getLangOpts(), scope),
-        known_(known) {}
-  void HandleTranslationUnit(ASTContext &context) override {
-    Calls(map_, known_).TraverseDecl(context.getTranslationUnitDecl());
-  }
-
-private:
-  SourceMap map_;
-  Known &known_;
-};
-
-class Action : public ASTFrontendAction {
-public:
-  Action(Scope const &scope, Known &known) : scope_(scope), known_(known) {}
-  std::unique_ptr<ASTConsumer> CreateASTConsumer(CompilerInstance &compiler, llvm::StringRef) override {
-    return std::make_unique<Consumer>(compiler, scope_, known_);
-  }
-
-private:
-  Scope const &scope_;
-  Known &known_;
-};
-
-// Errors of the source are ignored: the rewriter reports them.
 void read(Compilation const &source, Known &known) {
-  IntrusiveRefCntPtr<llvm::vfs::FileSystem> const disk(llvm::vfs::createPhysicalFileSystem().release());
+  FileSystem const disk = own_disk();
   if (!source.directory.empty() && disk->setCurrentWorkingDirectory(source.directory)) return;
-  Scope const scope;
-  IgnoringDiagConsumer ignored;
-  IntrusiveRefCntPtr<FileManager> const files(new FileManager(FileSystemOptions(), disk));
-  tooling::ToolInvocation invocation(command_line(source), std::make_unique<Action>(scope, known), files.get());
-  invocation.setDiagnosticConsumer(&ignored);
-  invocation.run();
+  visit_tree(source, disk, Scope(), [&](ASTContext &context, SourceMap const &map) {
+    Calls(map, known).TraverseDecl(context.getTranslationUnitDecl());
+  });
 }
 
 bool is_named(std::string const &qualified, std::string const &name) {

@@ -22,9 +22,11 @@ std::set<std::string> words_of(std::string const &text) {
 
 constexpr char const *at_start = ""; // code that each source runs at the program's start
 
-class Search {
+class ReachableSearch {
 public:
-  Search(Candidates const &candidates, std::set<std::size_t> const &begin) : candidates_(candidates), begin_(begin) {}
+  ReachableSearch(Candidates const &candidates, std::set<std::size_t> const &begin)
+      : candidates_(candidates),
+        begin_(begin) {}
 
   ReachableSources run() {
     words_["main"] = "main";
@@ -112,7 +114,7 @@ private:
 } // namespace
 
 ReachableSources reachable_sources(Candidates const &candidates, std::set<std::size_t> const &begin) {
-  return Search(candidates, begin).run();
+  return ReachableSearch(candidates, begin).run();
 }
 
 } // namespace symreal::rewrite

@@ -1,27 +1,15 @@
-#include "rewrite/unit/visitor.h"
-
-#include "rewrite/c/anonymous_structs.h"
-#include "rewrite/c/arrays.h"
-#include "rewrite/c/declarations.h"
-#include "rewrite/c/generic.h"
-#include "rewrite/c/jumps.h"
-#include "rewrite/c/literals.h"
-#include "rewrite/c/names.h"
-#include "rewrite/c/specifiers.h"
-#include "rewrite/collect/boundaries.h"
+// Walk of one source's syntax tree that collects facts about the roots.
+#include "rewrite/c/constructs.h"
 #include "rewrite/collect/collector.h"
-#include "rewrite/collect/instances.h"
-#include "rewrite/collect/layouts.h"
-#include "rewrite/collect/links.h"
-#include "rewrite/collect/operand_order.h"
-#include "rewrite/collect/symbolic_ints.h"
+#include "rewrite/collect/walks.h"
 #include "rewrite/model/context_walk.h"
 #include "rewrite/model/surroundings.h"
 #include "rewrite/pragma/configured.h"
 #include "rewrite/pragma/externals.h"
-#include "rewrite/pragma/file_statics.h"
+#include "rewrite/pragma/function_pragmas.h"
 #include "rewrite/pragma/pragma_items.h"
-#include "rewrite/select/selects.h"
+#include "rewrite/select/decisions.h"
+#include "rewrite/unit/collect_source.h"
 
 namespace symreal::rewrite {
 namespace {
@@ -233,15 +221,14 @@ public:
   }
   bool VisitLambdaExpr(LambdaExpr *lambda) override {
     collect_.argument_list(lambda->getCallOperator());
-    if (!passive_ && !lambda->hasExplicitResultType()) collect_.deduced_return(lambda->getBody());
+    if (!passive_ && !lambda->hasExplicitResultType()) collect_.deduced_return(lambda->getCallOperator());
     return true;
   }
   bool VisitFunctionDecl(FunctionDecl *function) override {
     if (!function->doesThisDeclarationHaveABody()) return true;
     definitions.push_back(function);
     collect_.argument_list(function);
-    if (!passive_ && function->getDeclaredReturnType()->getContainedAutoType())
-      collect_.deduced_return(function->getBody());
+    if (!passive_ && function->getDeclaredReturnType()->getContainedAutoType()) collect_.deduced_return(function);
     return true;
   }
   bool VisitDeclRefExpr(DeclRefExpr *reference) override {

@@ -1,22 +1,23 @@
-#include "runtime/trace/deliver.h"
+#include "runtime/trace/sinks.h"
 
 #include "engine/emit/emit.h"
 #include "engine/emit/language/banner.h"
-#include "engine/graph/frozen.h"
+#include "engine/graph/graph.h"
 #include "engine/optimise/differentiate/differentiate.h"
 #include "engine/optimise/passes/pass.h"
 #include "engine/plan/schedule/schedule.h"
 #include "engine/support/files.h"
 #include "runtime/trace/report/events.h"
+#include "runtime/wire/request.h"
 
 #include <cstdlib>
 #include <filesystem>
 
 namespace symreal::trace {
 
-// Applies $SYMREAL_FROZEN, the counterpart of --frozen.
+// Applies the entry `frozen` of the request, the counterpart of --frozen.
 static void report_frozen(Graph const &graph) {
-  char const *wanted = std::getenv("SYMREAL_FROZEN");
+  char const *wanted = wire::requested(wire::Entry::frozen);
   std::string const policy = wanted ? wanted : "state";
   for (Frozen const &state : graph.frozen)
     if (std::optional<Severity> const severity = frozen_severity(state, policy))

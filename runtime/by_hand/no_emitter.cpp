@@ -1,5 +1,5 @@
-#include "runtime/trace/deliver.h"
 #include "runtime/trace/report/events.h"
+#include "runtime/trace/sinks.h"
 
 namespace symreal::trace {
 

@@ -1,6 +1,6 @@
 #include "runtime/memory/heap_blocks.h"
 
-#include <algorithm>
+#include <atomic>
 #include <functional>
 #include <link.h>
 #include <map>
@@ -48,6 +48,7 @@ using Table = std::map<void *, Entry, std::less<>, Unseen<std::pair<void *const,
 
 constinit std::mutex mutex;
 std::uint64_t last_serial = 0;
+std::atomic<bool> is_mapped = false;
 
 // Made on first use, never destroyed: the program allocates before and after main.
 Table &table() {
@@ -107,5 +108,8 @@ std::vector<HeapBlock> heap_blocks() {
   }
   return {blocks.begin(), blocks.end()};
 }
+
+bool has_mapped_memory() { return is_mapped; }
+void note_mapped_memory() { is_mapped = true; }
 
 } // namespace symreal::memory

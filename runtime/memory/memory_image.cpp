@@ -1,6 +1,6 @@
 #include "runtime/memory/memory_image.h"
 
-#include "runtime/memory/stack.h"
+#include "runtime/memory/own_memory.h"
 
 #include <algorithm>
 #include <cstring>
@@ -35,10 +35,8 @@ KnownBytes::KnownBytes(std::vector<Known> known) {
 }
 
 char const *KnownBytes::skip(char const *address) const {
-  auto next = std::upper_bound(parts_.begin(), parts_.end(), Known{address, 0}, begins_earlier);
-  if (next == parts_.begin()) return address;
-  --next;
-  return address < next->begin + next->size ? next->begin + next->size : address;
+  Known const *known = object_around(parts_, address);
+  return known ? known->begin + known->size : address;
 }
 
 std::size_t KnownBytes::room(char const *address, std::size_t most) const {
@@ -65,33 +63,24 @@ MemoryImage MemoryImage::capture(void const *frame) {
   return image;
 }
 
-MemoryImage::Part const *MemoryImage::part_at(void const *address) const {
-  auto const *at = static_cast<char const *>(address);
-  auto next = std::upper_bound(parts_.begin(), parts_.end(), at,
-                               [](char const *wanted, Part const &part) { return wanted < part.begin; });
-  if (next == parts_.begin()) return nullptr;
-  --next;
-  return at < next->begin + next->size ? &*next : nullptr;
-}
-
 char const *MemoryImage::before(void const *address) const {
-  Part const *part = part_at(address);
+  Part const *part = object_around(parts_, address);
   return part ? bytes_.data() + part->saved + (static_cast<char const *>(address) - part->begin) : nullptr;
 }
 
 std::optional<Region> MemoryImage::region_of(void const *address) const {
-  Part const *part = part_at(address);
+  Part const *part = object_around(parts_, address);
   return part ? std::optional(part->region) : std::nullopt;
 }
 
 std::optional<Change> MemoryImage::object_at(void const *address) const {
-  Part const *part = part_at(address);
+  Part const *part = object_around(parts_, address);
   if (!part) return std::nullopt;
   return Change{part->region, part->name, part->begin, part->size, 0, part->size};
 }
 
 std::string MemoryImage::static_name(void const *address) const {
-  Part const *part = part_at(address);
+  Part const *part = object_around(parts_, address);
   return part ? part->name : "";
 }
 
@@ -107,7 +96,7 @@ void MemoryImage::add(HeapBlock const &block) {
 }
 
 void MemoryImage::update(void const *begin, std::size_t size) {
-  if (Part const *part = part_at(begin)) {
+  if (Part const *part = object_around(parts_, begin)) {
     auto const offset = static_cast<std::size_t>(static_cast<char const *>(begin) - part->begin);
     std::memcpy(bytes_.data() + part->saved + offset, begin, std::min(size, part->size - offset));
   }
@@ -159,7 +148,7 @@ void MemoryImage::compare(Part const &part, KnownBytes const &known, std::vector
 }
 
 bool MemoryImage::outlives(std::vector<HeapBlock> const &blocks, void const *address) const {
-  Part const *part = part_at(address);
+  Part const *part = object_around(parts_, address);
   if (!part || part->region != Region::heap_block) return part != nullptr;
   auto const at = std::lower_bound(blocks.begin(), blocks.end(), part->begin,
                                    [](HeapBlock const &block, char *begin) { return block.begin < begin; });
@@ -187,13 +176,6 @@ std::vector<Change> MemoryImage::changes(std::vector<Known> all_known) const {
 }
 
 std::vector<Known> MemoryImage::owned(Known object, std::vector<HeapBlock> const &blocks) const {
-  auto const block_at = [&blocks](char const *address) -> HeapBlock const * {
-    auto next = std::upper_bound(blocks.begin(), blocks.end(), address,
-                                 [](char const *wanted, HeapBlock const &block) { return wanted < block.begin; });
-    if (next == blocks.begin()) return nullptr;
-    --next;
-    return address < next->begin + next->size ? &*next : nullptr;
-  };
   std::vector<Known> result = {object};
   std::set<char const *> met;
   for (std::size_t next = 0; next < result.size(); ++next) {
@@ -207,10 +189,11 @@ std::vector<Known> MemoryImage::owned(Known object, std::vector<HeapBlock> const
       for (char const *from : {one.begin + k, old}) {
         if (!from) continue;
         std::memcpy(static_cast<void *>(&pointer), from, sizeof pointer);
-        Part const *part = part_at(pointer);
+        Part const *part = object_around(parts_, pointer);
         if (part && part->region == Region::heap_block && met.insert(part->begin).second)
           result.push_back({part->begin, part->size});
-        if (HeapBlock const *block = part ? nullptr : block_at(pointer); block && met.insert(block->begin).second)
+        if (HeapBlock const *block = part ? nullptr : object_around(blocks, pointer);
+            block && met.insert(block->begin).second)
           result.push_back({block->begin, block->size});
       }
     }

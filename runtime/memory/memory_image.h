@@ -90,7 +90,6 @@ private:
   };
   void save(Part part);
   std::vector<Change> named(std::set<std::string> const &names) const;
-  Part const *part_at(void const *address) const;
   void compare(Part const &part, KnownBytes const &known, std::vector<Change> &changes) const;
   bool has_changed(Part const &part) const;
 

@@ -1,10 +1,10 @@
 #include "runtime/memory/own_memory.h"
 
 #include "engine/diagnostics/diagnostic.h"
-#include "runtime/memory/stack.h"
 
 #include <algorithm>
 #include <link.h>
+#include <pthread.h>
 #include <sys/mman.h>
 #include <unistd.h>
 
@@ -13,6 +13,17 @@ namespace symreal {
 __thread bool detail::recording = false;
 __thread std::uintptr_t detail::own_stack = 0, detail::own_stack_size = 0;
 __thread std::uintptr_t detail::around_begin = 0, detail::around_size = 0;
+
+memory::Stack memory::Stack::of_this_thread() {
+  pthread_attr_t attributes;
+  if (pthread_getattr_np(pthread_self(), &attributes) != 0) return {};
+  void *begin = nullptr;
+  std::size_t size = 0;
+  pthread_attr_getstack(&attributes, &begin, &size);
+  pthread_attr_destroy(&attributes);
+  char *const first = static_cast<char *>(begin);
+  return {first, first + size};
+}
 
 namespace trace {
 

@@ -1,4 +1,5 @@
-// Classification of memory that is the kernel's own, or constant, independent of the kernel's actions.
+// Classification of memory that is the kernel's own, such as its part of the stack, or constant, independent of the
+// kernel's actions.
 #pragma once
 
 #include "runtime/memory/heap_blocks.h"
@@ -6,10 +7,25 @@
 #include <symreal/state.h>
 
 #include <cerrno>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
-namespace symreal::trace {
+namespace symreal {
+
+namespace memory {
+
+// Bounds of this thread's stack; both are nullptr if the system does not report them.
+struct Stack {
+  char *begin = nullptr, *end = nullptr;
+
+  static Stack of_this_thread();
+  std::size_t size() const { return static_cast<std::size_t>(end - begin); }
+};
+
+} // namespace memory
+
+namespace trace {
 
 struct MemoryRange {
   std::uintptr_t begin, end;
@@ -47,4 +63,5 @@ private:
   memory::OwnWork const own_;
 };
 
-} // namespace symreal::trace
+} // namespace trace
+} // namespace symreal

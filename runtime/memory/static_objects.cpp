@@ -1,7 +1,11 @@
 #include "runtime/memory/static_objects.h"
 
+#include "runtime/memory/heap_blocks.h"
+#include "runtime/memory/own_memory.h"
+
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <cstring>
 #include <elf.h>
 #include <fcntl.h>
@@ -140,6 +144,11 @@ std::vector<StaticObject> find_objects(Changes changes) {
   return objects;
 }
 
+char const *end_of_stack(char const *address) {
+  Stack const stack = Stack::of_this_thread();
+  return stack.begin <= address && address < stack.end ? stack.end : nullptr;
+}
+
 } // namespace
 
 std::vector<StaticObject> find_static_objects() { return find_objects(Changes::variables); }
@@ -169,6 +178,28 @@ bool is_kept_alive_by(std::string_view temporary, std::string_view reference) {
   if (!temporary.starts_with(reference) || !temporary.ends_with('_')) return false;
   std::string_view const number = temporary.substr(reference.size(), temporary.size() - reference.size() - 1);
   return number.find_first_not_of("0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZ") == number.npos;
+}
+
+char const *object_end(void const *address) {
+  char const *const at = static_cast<char const *>(address);
+  static std::vector<StaticObject> const statics = find_static_objects();
+  if (char const *end = end_of_stack(at)) return end;
+  std::vector<HeapBlock> const blocks = heap_blocks();
+  if (HeapBlock const *block = object_around(blocks, at)) return block->begin + block->size;
+  if (StaticObject const *object = object_around(statics, at)) return object->begin + object->size;
+  return at + 1;
+}
+
+Constant constant_around(void const *address) {
+  char const *const at = static_cast<char const *>(address);
+  static std::vector<StaticObject> const constants = find_constants();
+  auto const behind = std::upper_bound(constants.begin(), constants.end(), at,
+                                       [](char const *wanted, StaticObject const &one) { return wanted < one.begin; });
+  char const *const next = behind == constants.end() ? reinterpret_cast<char const *>(UINTPTR_MAX) : behind->begin;
+  if (behind == constants.begin()) return {nullptr, next};
+  StaticObject const &before = *(behind - 1);
+  char const *const end = before.begin + before.size;
+  return at < end ? Constant{before.begin, end} : Constant{end, next};
 }
 
 } // namespace symreal::memory

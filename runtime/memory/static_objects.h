@@ -1,4 +1,5 @@
-// Objects of static storage duration of the running program, which a function can change without a pointer argument.
+// Objects of static storage duration of the running program, which a function can change without a pointer argument;
+// and the end of the object, static or other, at an address.
 #pragma once
 
 #include <cstddef>
@@ -34,5 +35,15 @@ std::string name_in_c(std::string const &linker_name);
 std::string guarded_by(std::string const &name);
 // Whether the temporary's life is extended by the reference, judged by their linker names.
 bool is_kept_alive_by(std::string_view temporary, std::string_view reference);
+
+// The byte behind the static object or heap block around the address; on the stack, the end of the callers' frames; for
+// an unknown address, the end of its word.
+char const *object_end(void const *address);
+
+// The constant that the address lies in. One without a symbol, a literal, has all that lies between its neighbours.
+struct Constant {
+  char const *begin, *end;
+};
+Constant constant_around(void const *address);
 
 } // namespace symreal::memory

@@ -8,12 +8,10 @@
 // numbers a fork answers a sequence of function calls: the client sends the number of a function, four bytes, until it
 // sends `no_function`.
 //
-// The environment of the program names the shared file, two descriptors and the kernel:
-//   SYMREAL_REPLAY=<file>,<commands>,<answers>   SYMREAL_REPLAY_KERNEL=<name under which the kernel begins>
-// and, with external functions, what else is run:
-//   SYMREAL_REPLAY_CODE=<shared object>   SYMREAL_REPLAY_PREFIX=<of its names>   SYMREAL_REPLAY_GRAPH=<text>
-// and where the client may ask for state that no clause names, see unnamed_state.h:
-//   SYMREAL_CHANGEABLE=<text>
+// The request (runtime/wire/request.h) names the shared file, two descriptors and the kernel, with external functions
+// the generated code and the graph, and where the client may ask for state that no clause names (unnamed_state.h) the
+// variables that the sources may change:
+//   replay=<file>,<commands>,<answers>
 // An answer is the status of the fork as waitpid gives it, four bytes. When the commands end, so does the server.
 #pragma once
 

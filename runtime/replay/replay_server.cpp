@@ -1,12 +1,19 @@
 #include "runtime/replay/replay_server.h"
 
-#include "runtime/replay/branch_counters.h"
-#include "runtime/replay/replay_code.h"
+#include "engine/graph/graph.h"
+#include "engine/graph/graph_binary.h"
 #include "runtime/replay/replay_protocol.h"
+#include "runtime/wire/request.h"
 
 #include <algorithm>
+#include <bit>
+#include <charconv>
+#include <cstddef>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
+#include <dlfcn.h>
 #include <fcntl.h>
 #include <iterator>
 #include <string>
@@ -15,8 +22,117 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+// Symbols of clang's profile library; null in a program without it.
+extern "C" {
+[[gnu::weak]] char *profile_begin_counters() __asm__("__llvm_profile_begin_counters");
+[[gnu::weak]] char *profile_end_counters() __asm__("__llvm_profile_end_counters");
+[[gnu::weak]] int profile_write_file() __asm__("__llvm_profile_write_file");
+}
+
 namespace symreal::replay {
 namespace {
+
+// Branch counters of a program that clang has built with -fprofile-instr-generate. Each sample runs in a fork of its
+// own; the counts of all forks are summed. Other programs have no counters.
+class BranchCounters {
+public:
+  // Construct it before the first fork: earlier counts are left out.
+  BranchCounters() {
+    if (!profile_begin_counters || !profile_end_counters || !profile_write_file) return;
+    counters_ = reinterpret_cast<std::uint64_t *>(profile_begin_counters());
+    count_ = static_cast<std::size_t>(reinterpret_cast<std::uint64_t *>(profile_end_counters()) - counters_);
+    if (count_ == 0) return;
+    void *shared = mmap(nullptr, count_ * sizeof *sums_, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, /*fd=*/-1,
+                        /*offset=*/0);
+    if (shared == MAP_FAILED) std::abort();
+    sums_ = static_cast<std::uint64_t *>(shared);
+    std::fill_n(counters_, count_, 0);
+  }
+  // Adds this fork's counts, at its end.
+  void add() const {
+    for (std::size_t k = 0; k < count_; ++k) sums_[k] += counters_[k];
+  }
+  // The sums, to the file that LLVM_PROFILE_FILE names.
+  void write() const {
+    if (count_ == 0) return;
+    std::copy_n(sums_, count_, counters_);
+    if (profile_write_file() != 0) std::abort();
+  }
+  bool are_there() const { return count_ != 0; }
+
+private:
+  std::uint64_t *counters_ = nullptr; // those of the program
+  std::size_t count_ = 0;
+  std::uint64_t *sums_ = nullptr; // in memory that all forks share
+};
+
+template <class Function> Function *find(void *library, std::string const &name) {
+  void *function = library ? dlsym(library, name.c_str()) : nullptr;
+  if (!function) std::abort();
+  return std::bit_cast<Function *>(function);
+}
+
+// The generated code and the recorded graph of a kernel with external functions.
+class ReplayCode {
+public:
+  // Loads the code that the request names, if any. Ends the process if it cannot be loaded.
+  ReplayCode() {
+    char const *code = wire::requested(wire::Entry::replay_code), *graph = wire::requested(wire::Entry::replay_graph);
+    if (!code || !graph) return;
+    char const *prefix = wire::requested(wire::Entry::replay_prefix);
+    prefix_ = prefix ? prefix : "";
+    library_ = dlopen(code, RTLD_NOW | RTLD_LOCAL);
+    if (!library_) {
+      std::fprintf(stderr, "%s\n", dlerror());
+      std::abort();
+    }
+    graph_ = read_binary_graph(graph);
+  }
+  void run_generated(Head &head) const {
+    head.failed = compute(head, shared_code_inputs(&head), shared_parameters(&head), shared_code_outputs(&head));
+  }
+  // 0, or the number of the guard that does not hold.
+  int compute(Head const &head, double const *inputs, double const *parameters, double *outputs) const {
+    std::string const name = prefix_ + "compute";
+    std::vector<double> constants(head.constant_count + 1);
+    find<void(double const *, double *)>(library_, prefix_ + "preprocess")(parameters, constants.data());
+    if (head.guard_count != 0)
+      return find<int(double const *, double const *, double *)>(library_, name)(inputs, constants.data(), outputs);
+    find<void(double const *, double const *, double *)>(library_, name)(inputs, constants.data(), outputs);
+    return 0;
+  }
+  void run_graph(Head &head) const {
+    CallExternal const call = [this](std::size_t function, std::span<double const> arguments,
+                                     std::span<double> results) {
+      auto *thunk = find<void(double const *, double *)>(library_, "symreal_call_" + std::to_string(function));
+      thunk(arguments.data(), results.data());
+    };
+    Evaluation const result = evaluate_sample(graph_, {shared_inputs(&head), head.input_count},
+                                              {shared_parameters(&head), head.parameter_count}, call);
+    head.premises = result.premises;
+    head.failing_guard = static_cast<std::uint32_t>(result.failing_guard);
+    std::copy(result.outputs.begin(), result.outputs.end(), shared_outputs(&head));
+  }
+  // Answers calls until the client sends no_function, or has gone.
+  void answer_calls(Head &head, int commands, int answers) const {
+    using Thunk = void(double const *, double *);
+    std::vector<Thunk *> thunks;
+    for (std::size_t k = 0; k < graph_.externals.size(); ++k)
+      thunks.push_back(find<Thunk>(library_, "symreal_call_" + std::to_string(k)));
+    constexpr int done = 0; // as the status of a fork
+    for (std::uint32_t function; read(commands, &function, sizeof function) == sizeof function;) {
+      if (function == no_function) return;
+      alarm(head.seconds);
+      thunks.at(function)(shared_arguments(&head), shared_results(&head));
+      if (write(answers, &done, sizeof done) != sizeof done) return;
+    }
+  }
+
+private:
+  void *library_ = nullptr;
+  std::string prefix_;
+  Graph graph_;
+};
 
 Head *shared = nullptr; // set while the wanted kernel runs in a fork
 ReplayCode const *loaded = nullptr;
@@ -105,6 +221,50 @@ void give(double *number, double const *values, std::uint32_t &met, std::uint32_
   *number = values[met++];
 }
 
+std::size_t take_number(std::string_view &text) {
+  std::size_t value = 0;
+  auto const end = std::from_chars(text.data(), text.data() + text.size(), value).ptr;
+  text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+  return value;
+}
+
+template <class T> T read_as(char const *from) {
+  T value;
+  std::memcpy(&value, from, sizeof value);
+  return value;
+}
+
+constexpr std::size_t longest_text = 256; // further characters are ignored
+
+std::string_view bytes_of(char what, char const *at, std::size_t size) {
+  switch (what) {
+  case 'p': return read_as<void const *>(at) ? "one" : "none";
+  case 't': {
+    auto const *text = read_as<char const *>(at);
+    return text ? std::string_view(text, strnlen(text, longest_text)) : std::string_view("\0", 1);
+  }
+  case 's': return {read_as<char const *>(at), read_as<std::size_t>(at + sizeof(char const *))};
+  default: return {at, size};
+  }
+}
+
+// A hash of the members of the returned object that are not numbers.
+std::uint64_t hash_of_others(char const *object, std::string_view others) {
+  std::uint64_t hash = 14695981039346656037u;
+  auto const add = [&hash](unsigned char byte) { hash = (hash ^ byte) * 1099511628211u; };
+  while (!others.empty()) {
+    char const what = others.front();
+    others.remove_prefix(1);
+    std::size_t const size = take_number(others);
+    others.remove_prefix(1); // the sign
+    std::size_t const offset = take_number(others);
+    others.remove_prefix(1); // the semicolon
+    for (char const one : bytes_of(what, object + offset, size)) add(static_cast<unsigned char>(one));
+    add(0);
+  }
+  return hash;
+}
+
 } // namespace
 
 LeftBehind left_behind(memory::Change const &change) {
@@ -115,7 +275,7 @@ LeftBehind left_behind(memory::Change const &change) {
 }
 
 bool replay_begin(std::string_view kernel, Memory const &memory) {
-  char const *address = std::getenv("SYMREAL_REPLAY"), *wanted = std::getenv("SYMREAL_REPLAY_KERNEL");
+  char const *address = wire::requested(wire::Entry::replay), *wanted = wire::requested(wire::Entry::replay_kernel);
   Connection connection;
   if (shared || !address || !wanted || kernel != wanted || !parse(address, connection)) return false;
   Head *head = map(connection.file);
@@ -194,8 +354,8 @@ void replay_unexamined(std::string_view why) {
 
 void replay_examined() { finish(State::complete); }
 
-void replay_returned(std::uint64_t hash) {
-  if (shared && shared->calls_done == 0) shared->returned = hash;
+void replay_returned(char const *object, std::string_view others) {
+  if (shared && shared->calls_done == 0) shared->returned = hash_of_others(object, others);
 }
 
 void replay_link(int output) {

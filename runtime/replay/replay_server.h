@@ -54,8 +54,9 @@ std::vector<double> replay_outputs();
 void replay_unnamed(UnnamedObject const &object);
 void replay_unexamined(std::string_view why);
 
-// A hash of the members of the returned object that are not numbers.
-void replay_returned(std::uint64_t hash);
+// The members of the returned object that are not numbers: generated code has the numbers alone. `others` says where
+// they lie (rewrite/facts/result.h).
+void replay_returned(char const *object, std::string_view others);
 
 // The change in the form that the client receives.
 LeftBehind left_behind(memory::Change const &change);

@@ -1,13 +1,36 @@
-// Entry points of a program's annotations (<symreal/annotate.h>).
+// Entry points of a program's annotations: of C++ (<symreal/annotate.h>), and of the original (<symreal/original.h>).
+//
+// Private copies of read-only data: input pointers of function kernels are rebound to them. Other inputs are annotated
+// in place, so that pointers keep their identity, and aliases remain.
 #include "engine/support/mutation/is_dropped.h"
+#include "engine/support/page_allocator.h"
 #include "runtime/memory/heap_blocks.h"
+#include "runtime/memory/static_objects.h"
+#include "runtime/replay/replay_server.h"
+#include "runtime/trace/kernel/object_layout.h"
+#include "runtime/trace/nodes/pool.h"
 #include "runtime/trace/sinks.h"
+#include "runtime/wire/request.h"
+
+#include <symreal/annotate.h>
+#include <symreal/original.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <sys/mman.h>
+#include <unistd.h>
+#include <vector>
 
 namespace symreal {
 
 using trace::Kernel;
 
-static trace::MakeSink sink_of(detail::CompiledAs program) {
+namespace {
+
+trace::MakeSink sink_of(detail::CompiledAs program) {
   switch (program) {
   case detail::CompiledAs::symbolic: return trace::make_recorder;
   case detail::CompiledAs::replay: return trace::make_replay;
@@ -15,6 +38,50 @@ static trace::MakeSink sink_of(detail::CompiledAs program) {
   }
   internal_failure("a program has a sink", __FILE__, __LINE__);
 }
+
+struct Copy {
+  char *begin;
+  std::size_t size;
+  char const *original;
+};
+
+// Copies live as long as the program: a pointer to one may be anywhere.
+std::vector<Copy> &copies() {
+  static constinit thread_local std::vector<Copy> *list = nullptr;
+  if (!list) list = memory::make_own<std::vector<Copy>>();
+  return *list;
+}
+
+// Whether the system reports the address as writable; true if unknown.
+bool is_writable(void const *address) {
+  memory::OwnWork const own;
+  std::FILE *file = std::fopen("/proc/self/maps", "r");
+  if (!file) return true;
+  auto const wanted = reinterpret_cast<std::uintptr_t>(address);
+  bool writable = true;
+  char line[512];
+  while (std::fgets(line, sizeof line, file)) {
+    std::uintptr_t begin = 0, end = 0;
+    char rights[5] = "";
+    if (std::sscanf(line, "%zx-%zx %4s", &begin, &end, rights) != 3 || wanted < begin || wanted >= end) continue;
+    writable = rights[1] == 'w';
+    break;
+  }
+  std::fclose(file);
+  return writable;
+}
+
+// Memory that ends where an inaccessible page begins.
+char *guarded_memory(std::size_t size) {
+  auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+  std::size_t room = (size + page - 1) / page * page;
+  void *memory = map_anonymous(room + page, MAP_PRIVATE);
+  internal_check(memory != MAP_FAILED);
+  mprotect(static_cast<char *>(memory) + room, page, PROT_NONE);
+  return static_cast<char *>(memory) + room - size;
+}
+
+} // namespace
 
 bool detail::begin_object(CompiledAs program, Kind kind, char const *label, SourcePlace place) noexcept {
   memory::OwnWork const own;
@@ -89,5 +156,241 @@ void symreal_differentiate(char const *wish, SourcePlace place) noexcept {
 
 void FunctionKernel::accept_annotations() noexcept { Kernel::current().accept_annotations(); }
 void FunctionKernel::begin_outputs() noexcept { Kernel::current().begin_outputs(); }
+void FunctionKernel::make_plain(void *object, std::size_t size) noexcept {
+  if (trace::Pool const &pool = trace::Pool::current(); pool.is_recording()) pool.make_plain(object, size);
+}
 
+void *detail::private_copy(void const *pointer, std::size_t low, std::size_t count) noexcept {
+  auto *original = static_cast<char const *>(pointer);
+  if (!Kernel::current().is_entering_function()) return const_cast<char *>(original);
+  bool const is_copy =
+      std::any_of(copies().begin(), copies().end(), [original](Copy const &copy) { return copy.begin == original; });
+  if (!is_copy && is_writable(original + low)) return const_cast<char *>(original);
+  std::size_t size = low + count, kept = 0;
+  char const *source = original;
+  // A second section of a rebound pointer: elements that the first one annotated move along.
+  for (Copy const &copy : copies())
+    if (copy.begin == original) {
+      if (copy.size >= size) return copy.begin;
+      kept = copy.size;
+      source = copy.original;
+    }
+  char *begin = guarded_memory(size);
+  std::memcpy(begin, original, kept);
+  std::memcpy(begin + kept, source + kept, size - kept);
+  copies().push_back({begin, size, source});
+  return begin;
+}
+
+void const *detail::in_private_copy(void const *pointer) noexcept {
+  auto const *at = static_cast<char const *>(pointer);
+  if (Kernel::current().is_entering_function())
+    for (Copy const &copy : copies())
+      if (copy.original <= at && at <= copy.original + copy.size) return copy.begin + (at - copy.original);
+  return pointer;
+}
+
+namespace trace {
+namespace {
+
+// An original whose instructions record themselves (oracle/) is recorded.
+MakeSink sink_of_original() {
+  static bool const is_recorded = wire::requested(wire::Entry::record) != nullptr;
+  return is_recorded ? make_recorder_of_original : make_original;
+}
+
+Kind kind_named(std::string_view name) {
+  if (name == "input") return Kind::input;
+  if (name == "parameter") return Kind::parameter;
+  if (name == "constant") return Kind::constant;
+  return name == "scratch" ? Kind::scratch : Kind::output;
+}
+
+// Objects that are looked up when a function is entered and read when it returns.
+struct Later {
+  std::string label;
+  SourcePlace place;
+  std::vector<memory::Known> bytes;
+};
+thread_local std::vector<Later> later;
+thread_local bool is_later = false;
+
+thread_local Kind kind_now = Kind::input;
+
+} // namespace
+} // namespace trace
 } // namespace symreal
+
+using symreal::Kind;
+using symreal::SourcePlace;
+using symreal::memory::OwnWork;
+using symreal::trace::Kernel;
+
+int symreal_original_object(char const *kind, char const *label, char const *file, unsigned line, unsigned column,
+                            void const *frame) {
+  OwnWork const own;
+  SourcePlace const place{file, line, column, frame};
+  if (symreal::trace::is_later) {
+    Kernel::current().annotate(label, place);
+    symreal::trace::later.push_back({label, place, {}});
+    return 1;
+  }
+  symreal::trace::kind_now = symreal::trace::kind_named(kind);
+  return Kernel::current().begin_object(symreal::trace::sink_of_original(), symreal::trace::kind_now, label, place);
+}
+
+void symreal_original_bytes(void const volatile *begin, std::size_t size, int is_temporary) {
+  OwnWork const own;
+  auto *bytes = static_cast<char *>(const_cast<void *>(begin));
+  if (symreal::trace::is_later) return symreal::trace::later.back().bytes.push_back({bytes, size});
+  auto &sink = Kernel::current().sink();
+  if (symreal::trace::kind_now == Kind::constant || symreal::trace::kind_now == Kind::scratch)
+    return sink.bytes(bytes, size);
+  for (std::size_t k = 0; k + sizeof(double) <= size; k += sizeof(double)) sink.element(bytes + k, is_temporary != 0);
+}
+
+void symreal_original_layout(void const volatile *begin, char const *layout, symreal_original_visit const *containers,
+                             int is_temporary) {
+  OwnWork const own;
+  struct Numbers final : symreal::trace::LayoutVisitor {
+    void number(void const volatile *address) override { symreal_original_bytes(address, sizeof(double), temporary); }
+    void container(void const volatile *object, std::size_t size) override { symreal_original_holder(object, size); }
+    int temporary = 0;
+  } numbers;
+  numbers.temporary = is_temporary;
+  symreal::trace::visit_layout(begin, layout, containers, numbers, nullptr);
+}
+
+void symreal_original_statics(char const *names) {
+  OwnWork const own;
+  if (!Kernel::current().is_recording()) return;
+  std::string const wanted = " " + symreal::memory::without_tags(names) + " ";
+  for (symreal::memory::StaticObject const &one : Kernel::current().sink().static_objects()) {
+    std::string const name = symreal::memory::name_in_c(one.name);
+    if (wanted.find(" " + name + " ") != wanted.npos) Kernel::current().sink().bytes(one.begin, one.size);
+  }
+}
+
+void symreal_original_holder(void const volatile *begin, std::size_t size) {
+  OwnWork const own;
+  Kernel &kernel = Kernel::current();
+  if (kernel.is_recording() && !symreal::trace::is_later) kernel.sink().holder(const_cast<void const *>(begin), size);
+}
+
+void symreal_original_handed_over(int active, void const volatile *begin, std::size_t size) {
+  OwnWork const own;
+  if (active) Kernel::current().sink().handed_over(const_cast<void const *>(begin), size);
+}
+
+void symreal_original_whole(int active, void const volatile *object) {
+  OwnWork const own;
+  static char const *const others = symreal::wire::requested(symreal::wire::Entry::returned);
+  if (active && others)
+    symreal::replay::replay_returned(static_cast<char const *>(const_cast<void const *>(object)), others);
+}
+
+void symreal_original_own(void const volatile *begin, std::size_t size) {
+  OwnWork const own;
+  if (Kernel &kernel = Kernel::current(); kernel.is_recording())
+    kernel.sink().own(const_cast<void const *>(begin), size);
+}
+
+void symreal_original_chosen(void const volatile *begin, std::size_t size) {
+  OwnWork const own;
+  if (Kernel &kernel = Kernel::current(); kernel.is_recording())
+    kernel.sink().chosen(const_cast<void const *>(begin), size);
+}
+
+void symreal_original_object_end() {
+  OwnWork const own;
+  if (!symreal::trace::is_later) Kernel::current().sink().end_object({});
+}
+
+int symreal_original_function(char const *name, char const *file, unsigned line, unsigned column, unsigned call,
+                              void const *frame) {
+  OwnWork const own;
+  return Kernel::current().begin_function(symreal::trace::sink_of_original(), name, {file, line, column, frame}, call);
+}
+
+int symreal_original_entered(int active) {
+  OwnWork const own;
+  Kernel::current().accept_annotations();
+  return active;
+}
+
+int symreal_original_leaving(int active) {
+  OwnWork const own;
+  if (active) Kernel::current().begin_outputs();
+  return active;
+}
+
+void symreal_original_function_end(int active) {
+  if (active) Kernel::current().end_function();
+}
+
+void symreal_original_returned(int active, char const *label, char const *file, unsigned line, unsigned column,
+                               void *value, std::size_t size, char const *layout) {
+  if (!symreal_original_leaving(active)) return;
+  if (!symreal_original_object("output", label, file, line, column, nullptr)) return;
+  if (layout) {
+    symreal_original_layout(value, layout, nullptr, 1);
+    symreal_original_handed_over(1, value, size);
+    symreal_original_whole(1, value);
+  } else
+    symreal_original_bytes(value, size, 1);
+  symreal_original_object_end();
+  symreal_original_settle(value, size);
+}
+
+void symreal_original_settle(void volatile *begin, std::size_t size) {
+  OwnWork const own;
+  symreal::trace::Pool::current().make_plain(const_cast<void *>(begin), size);
+}
+
+int symreal_original_compute(double const *input, double const *parameters, double *output) {
+  OwnWork const own;
+  return symreal::replay::replay_compute(input, parameters, output);
+}
+
+void symreal_original_check_index(__PTRDIFF_TYPE__ index, __PTRDIFF_TYPE__ count, char const *object) {
+  OwnWork const own;
+  if (index < 0 || index >= count) Kernel::current().refuse_element(object, count);
+}
+
+void symreal_original_range(double low, double high) {
+  OwnWork const own;
+  Kernel::current().set_range(low, high);
+}
+
+void symreal_original_state(char const *state, char const *derivative, char const *file, unsigned line,
+                            unsigned column) {
+  OwnWork const own;
+  Kernel::current().set_state({state, derivative, {file, line, column}});
+}
+
+void symreal_original_differentiate(char const *wish, char const *file, unsigned line, unsigned column) {
+  OwnWork const own;
+  Kernel::current().differentiate({wish, {file, line, column}});
+}
+
+void symreal_original_generate(char const *name, char const *file, unsigned line, unsigned column) {
+  OwnWork const own;
+  Kernel::current().end_region(name, {file, line, column});
+}
+
+void symreal_original_later(int active) {
+  symreal::trace::is_later = active != 0;
+  if (active) symreal::trace::later.clear();
+}
+
+void symreal_original_outputs(int *active) {
+  if (symreal_original_leaving(*active))
+    for (auto const &one : symreal::trace::later) {
+      SourcePlace const &place = one.place;
+      if (!symreal_original_object("output", one.label.c_str(), place.file, place.line, place.column, place.frame))
+        continue;
+      for (auto const &part : one.bytes) symreal_original_bytes(part.begin, part.size, 0);
+      symreal_original_object_end();
+    }
+  symreal_original_function_end(*active);
+}

@@ -1,14 +1,14 @@
 // Recording: annotated numbers become nodes, and at the kernel's end the graph is checked, handed over, and every
 // annotated number becomes an ordinary one again.
+#include "engine/graph/graph_binary.h"
 #include "engine/graph/names.h"
 #include "engine/support/mutation/is_dropped.h"
 #include "engine/support/number.h"
-#include "runtime/trace/calls/implicit.h"
+#include "runtime/trace/calls/external_call.h"
 #include "runtime/trace/decisions/checkpoint.h"
 #include "runtime/trace/decisions/explored_path.h"
 #include "runtime/trace/decisions/guards.h"
 #include "runtime/trace/decisions/join.h"
-#include "runtime/trace/deliver.h"
 #include "runtime/trace/leaks/trap.h"
 #include "runtime/trace/nodes/externals.h"
 #include "runtime/trace/nodes/pool.h"
@@ -19,17 +19,57 @@
 #include "runtime/trace/state/state.h"
 #include "runtime/trace/text/environment.h"
 #include "runtime/trace/text/text_marks.h"
-#include "runtime/trace/watched_memory.h"
+#include "runtime/wire/request.h"
 
 #include <algorithm>
+#include <atomic>
+#include <cstdio>
+#include <cstdlib>
+#include <iostream>
 #include <set>
+#include <unistd.h>
 #include <unordered_map>
 
-namespace symreal {
-
-namespace trace {
-
+namespace symreal::trace {
 namespace {
+
+void hand_to_driver(Graph const &graph, std::string const &output_file) {
+  static std::atomic<unsigned> delivered = 0;
+  unsigned number = delivered++;
+  std::string const name = std::to_string(number) + ".graph";
+  write_binary_graph(record_directory() + "/" + name, graph);
+  event({"kernel", graph.kernel, name, output_file});
+  for (Frozen const &frozen : graph.frozen) {
+    std::string values;
+    for (double value : frozen.values) values += (values.empty() ? "" : " ") + shortest(value);
+    event({"frozen", graph.kernel, frozen.name, to_string(frozen.place), values, hexadecimal(frozen.stack)});
+  }
+  flush_events();
+  char const *wanted = wire::requested(wire::Entry::kernels);
+  if (wanted && number + 1 == std::strtoul(wanted, nullptr, 10)) {
+    std::fflush(nullptr);
+    std::cout.flush();
+    _exit(0);
+  }
+}
+
+// Writes the graph to the driver's directory; in a program started by hand, passes it to generate_here.
+void deliver(Graph const &graph, std::string const &output_file) {
+  try {
+    if (record_directory().empty())
+      generate_here(graph, output_file);
+    else
+      hand_to_driver(graph, output_file);
+  } catch (DiagnosticError const &error) {
+    report(error.diagnostic());
+    give_up();
+  } catch (std::bad_alloc const &) {
+    report({DiagnosticId::out_of_memory,
+            {},
+            "the system gives no more memory to hand kernel '" + graph.kernel + "' over"});
+    give_up();
+  }
+}
 
 class Recorder final : public Sink {
 public:
@@ -405,6 +445,4 @@ private:
 std::unique_ptr<Sink> make_recorder() { return std::make_unique<Recorder>(/*has_notes=*/true); }
 std::unique_ptr<Sink> make_recorder_of_original() { return std::make_unique<Recorder>(watches_memory()); }
 
-} // namespace trace
-
-} // namespace symreal
+} // namespace symreal::trace

@@ -3,10 +3,10 @@
 // RUN: cd %t && not ./weigh 2>&1 | FileCheck %s --check-prefix=ERROR
 // ERROR: frozen_by_hand.cpp:13:{{[0-9]+}}: error: kernel 'weight' reads 'gravity' (9.81), which is neither input nor parameter [SYM017]
 // RUN: not ls %t/weight.c
-// RUN: cd %t && env SYMREAL_FROZEN=warn ./weigh 2>&1 | FileCheck %s --check-prefix=WARNING
+// RUN: cd %t && env SYMREAL_REQUEST=frozen=warn ./weigh 2>&1 | FileCheck %s --check-prefix=WARNING
 // WARNING: warning: kernel 'weight' reads 'gravity' (9.81)
 // RUN: FileCheck %s --check-prefix=HEADER < %t/weight.h
-// RUN: rm %t/weight.c && cd %t && env SYMREAL_FROZEN=allow ./weigh 2>&1 | FileCheck %s --check-prefix=ALLOWED --implicit-check-not=SYM017
+// RUN: rm %t/weight.c && cd %t && env SYMREAL_REQUEST=frozen=allow ./weigh 2>&1 | FileCheck %s --check-prefix=ALLOWED --implicit-check-not=SYM017
 // RUN: ls %t/weight.c
 #include <cstdio>
 

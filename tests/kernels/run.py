@@ -13,7 +13,7 @@ import tempfile
 import time
 from concurrent.futures import ThreadPoolExecutor
 
-from kernels.features import OPEN, OPEN_VIA_IR, features
+from kernels.features import OPEN, OPEN_INSTRUCTIONS, features
 from kernels.kernel import make_kernel
 from kernels.minimise import minimised
 from kernels.outcome import Outcome
@@ -43,7 +43,7 @@ def arguments():
     parser.add_argument("--verify", action="store_true", help="run symreal verify as well, which must agree")
     parser.add_argument("--oracle", action="store_true", help="run symreal oracle as well, which must give the same graph")
     parser.add_argument("--wrapper", action="store_true", help="compare the program with a wrapper in place of each kernel with the original program")
-    parser.add_argument("--via-ir", action="store_true", help="generate from the instructions of the original")
+    parser.add_argument("--instructions", action="store_true", help="generate from the instructions of the original")
     parser.add_argument("--flags-every", metavar="N", type=int, default=8,
                         help="compile the symbolic program of C as the tool does in each N-th batch, in the others without optimisation")
     parser.add_argument("--cache", metavar="DIR", help="what the tool has compiled lies there, for other runs as well; by default for this one alone")
@@ -83,7 +83,7 @@ def batches(options):
 def excluded(options, language):
     names = set(filter(None, options.without.split(",")))
     if not options.open:
-        names |= set(OPEN) | (set(OPEN_VIA_IR) if options.via_ir else set())
+        names |= set(OPEN) | (set(OPEN_INSTRUCTIONS) if options.instructions else set())
     if options.only:
         names |= set(features(language)) - set(options.only.split(","))
     return names
@@ -103,10 +103,10 @@ def execute(options, language, policy, mode, indices):
     try:
         kind = WrapperSession if options.wrapper else Session
         session = kind(options.symreal, language, policy, mode, directory, options.samples, options.verify,
-                       options.oracle, quick, via_ir=options.via_ir, cache=options.cache)
+                       options.oracle, quick, instructions=options.instructions, cache=options.cache)
         outcome = session.execute(made, options.seed + indices.start)
         of_session = dict(symreal=options.symreal, language=language, policy=policy, mode=mode, samples=options.samples, quick=quick,
-                          via_ir=options.via_ir, cache=options.cache)
+                          instructions=options.instructions, cache=options.cache)
         seed = options.seed + indices.start
         if options.minimise:
             again = lambda directory: kind(**of_session, directory=directory)

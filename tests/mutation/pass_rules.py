@@ -87,8 +87,8 @@ class Build:
     def judge(self, text, pattern):
         with tempfile.TemporaryDirectory() as name:
             work = pathlib.Path(name)
-            (work / "passes").mkdir()
-            (work / "passes" / "rules.def").write_text(text)
+            (work / "engine/optimise/passes").mkdir(parents=True)
+            (work / "engine/optimise/passes/rules.def").write_text(text)
             compiler, *options = self.compile
             done = subprocess.run([compiler, f"-I{work}", *options, "-o", work / "rule.o", "-c", ROOT / "engine/optimise/passes/rule.cpp"],
                                   cwd=self.directory, capture_output=True, text=True)

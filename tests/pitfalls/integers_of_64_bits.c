@@ -4,7 +4,7 @@
 // RUN: %symreal generate %s --decisions=select --mainline -o %t/k.c && FileCheck %s --input-file=%t/k.c
 // RUN: %symreal verify %s %t/k.c --samples=500
 // RUN: %symreal generate %s --decisions=select --fp=strict -o %t/s.c && %symreal verify %s %t/s.c --samples=500
-// RUN: %cc -w %s -o %t/original -lm && %symreal-cc -w %s -o %t/symbolic -lm && env SYMREAL_DECISIONS=select %t/symbolic | tail -n 10 > %t/printed
+// RUN: %cc -w %s -o %t/original -lm && %symreal-cc -w %s -o %t/symbolic -lm && env SYMREAL_REQUEST=decisions=select %t/symbolic | tail -n 10 > %t/printed
 // RUN: %t/original 0.3 0.7 > %t/expected && diff %t/expected %t/printed
 // RUN: %cc -std=c99 -Wall -Wextra -Wconversion -pedantic -Werror %t/k.c %t/k_main.c -lm -o %t/run
 // RUN: %t/run 0.3 0.7 | diff %t/expected -

@@ -6,7 +6,7 @@
 // RUN: %symreal generate %s --decisions=guard -o %t.c 2>&1 | FileCheck %s --check-prefix=GUARD
 // RUN: %symreal verify %s %t.c --samples=500 --min-samples=5
 // RUN: %cxx %s -o %t.original && %symreal-c++ %s -o %t.symbolic && %t.original > %t.expected
-// RUN: env SYMREAL_DECISIONS=guard %t.symbolic | diff %t.expected -
+// RUN: env SYMREAL_REQUEST=decisions=guard %t.symbolic | diff %t.expected -
 #include <cstdarg>
 #include <cstdio>
 

@@ -5,7 +5,7 @@
 // RUN: %symreal generate %s --decisions=guard --mainline -o %t/k.c
 // RUN: %symreal verify %s %t/k.c --samples=500 --min-samples=20
 // RUN: %cxx -w %s -o %t/original && %symreal-c++ -w %s -o %t/symbolic
-// RUN: %t/original > %t/expected && env SYMREAL_DECISIONS=guard %t/symbolic | tail -n 9 | diff %t/expected -
+// RUN: %t/original > %t/expected && env SYMREAL_REQUEST=decisions=guard %t/symbolic | tail -n 9 | diff %t/expected -
 // RUN: %cc -std=c99 -Wall -Wextra -Wconversion -pedantic -Werror %t/k.c %t/k_main.c -lm -o %t/run
 // RUN: %t/run | diff %t/expected -
 // RUN: FileCheck %s < %t/expected

@@ -6,7 +6,7 @@
 // RUN: %symreal verify %s %t/k.c --samples=500
 // RUN: %symreal generate %s --decisions=select --fp=fast -o %t/f.c && %symreal verify %s %t/f.c --samples=500
 // What the program prints as it was, the symbolic program prints, and the generated code computes, here and elsewhere.
-// RUN: %cxx -w %s -o %t/original && %symreal-c++ -w %s -o %t/symbolic && env SYMREAL_DECISIONS=select %t/symbolic | tail -n 12 > %t/printed
+// RUN: %cxx -w %s -o %t/original && %symreal-c++ -w %s -o %t/symbolic && env SYMREAL_REQUEST=decisions=select %t/symbolic | tail -n 12 > %t/printed
 // RUN: %t/original 5.3 9.1 > %t/expected && diff %t/expected %t/printed
 // RUN: %cc -std=c99 -Wall -Wextra -Wconversion -pedantic -Werror %t/k.c %t/k_main.c -lm -o %t/run
 // RUN: %t/run 5.3 9.1 | diff %t/expected -

@@ -3,13 +3,12 @@
 // [-- FLAG...]; with --facts what it has collected (--children-first: in that order of visits), and with --decide FILE
 // what it makes of such facts. A tool of the tests: the library's result without a driver around it. Exits 1 when there
 // is an error.
-#include "engine/support/diff.h"
 #include "engine/support/files.h"
 #include "rewrite/collected.h"
 #include "rewrite/decide/decide.h"
-#include "rewrite/edit/mirror.h"
-#include "rewrite/facts/fact_text.h"
+#include "rewrite/facts/facts.h"
 #include "rewrite/rewrite.h"
+#include "rewrite/text/exports.h"
 
 #include <algorithm>
 #include <filesystem>

@@ -2,7 +2,7 @@
 #include "verify/bisection.h"
 
 #include "engine/graph/graph_text.h"
-#include "engine/optimise/passes/sweep.h"
+#include "engine/optimise/passes/rule.h"
 
 #include <gtest/gtest.h>
 

@@ -121,7 +121,7 @@ TEST(BoundedCompilation, WhereThatDoesNotSufficeTheFigureIsTold) {
   ASSERT_EQ(compiler.told.size(), 2u);
   EXPECT_NE(compiler.told[1].find("takes 70 s"), std::string::npos) << compiler.told[1];
   EXPECT_NE(compiler.told[1].find("all that was tried 82 s"), std::string::npos) << compiler.told[1];
-  EXPECT_NE(compiler.told[1].find("--via-ir"), std::string::npos) << compiler.told[1];
+  EXPECT_NE(compiler.told[1].find("--record=instructions"), std::string::npos) << compiler.told[1];
 }
 
 } // namespace

@@ -1,4 +1,4 @@
-#include "rewrite/edit/compose.h"
+#include "rewrite/text/compose.h"
 
 #include <gtest/gtest.h>
 

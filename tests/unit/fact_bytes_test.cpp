@@ -1,4 +1,4 @@
-#include "rewrite/facts/fact_bytes.h"
+#include "rewrite/facts/facts.h"
 
 #include <gtest/gtest.h>
 

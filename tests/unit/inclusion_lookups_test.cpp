@@ -1,4 +1,4 @@
-#include "program/build/inclusion_lookups.h"
+#include "program/build/compiled_from.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "program/build/message_line.h"
+#include "program/build/compiler_messages.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Report on the blocks of a kernel: text, JSON, a table of operations; and advice on threads.
 #pragma once
 
-#include "engine/analysis/threads/advice.h"
+#include "engine/analysis/blocks/advice.h"
 
 #include <nlohmann/json_fwd.hpp>
 

@@ -12,6 +12,8 @@ namespace symreal::tool {
 
 // Amount in the costs' unit: "33", "4.5".
 std::string amount(Costs const &costs, Time time);
+// Nanoseconds as three digits in a suitable unit.
+std::string time_text(double nanoseconds);
 
 void print_figures(std::ostream &out, Graph const &graph, Costs const &costs, Figures const &figures);
 nlohmann::ordered_json to_json(Graph const &graph, Costs const &costs, Figures const &figures);

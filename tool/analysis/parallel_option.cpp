@@ -1,7 +1,8 @@
 #include "tool/analysis/parallel_option.h"
 
-#include "tool/analysis/analysis_options.h"
-#include "tool/analysis/times.h"
+#include "engine/analysis/sharing/sharing.h"
+#include "tool/analysis/figures_report.h"
+#include "tool/options/pass_options.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -58,16 +59,6 @@ void ParallelOption::add_to(CLI::App &app) {
       ->check(CLI::Range(2U, most_threads))
       ->type_name("P");
   app.add_option("--cost", cost, "Costs for --parallel, from symreal measure-costs")->type_name("FILE");
-}
-
-void ParallelOption::require_sense(EmitterOptions const &emitter) const {
-  if (!is_given() && !cost.empty())
-    fail(DiagnosticId::option_without_effect, {}, "--cost says whether --parallel pays, which is not given");
-  if (is_given() && cost.empty())
-    fail(DiagnosticId::bad_option, {},
-         "--parallel asks whether threads pay: name a file of symreal measure-costs with --cost");
-  if (is_given() && emitter.check_values)
-    fail(DiagnosticId::bad_option, {}, "--check-values reports the first value in an order that threads do not have");
 }
 
 Schedule ParallelOption::shared(Schedule plan, std::string &remark) const {

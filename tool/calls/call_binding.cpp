@@ -28,6 +28,15 @@ bool is_literal(std::string const &text) {
   return !text.empty() && text.find_first_not_of("0123456789.eE+-") == text.npos;
 }
 
+// Expression for the index behind a section's last element.
+std::string end_of(Section const &section) {
+  return section.low == "0" ? section.length : "(" + section.low + ") + (" + section.length + ")";
+}
+
+std::string larger(std::string const &one, std::string const &other) {
+  return fmt::format("({0} > {1} ? {0} : {1})", one, other);
+}
+
 class Binder {
 public:
   Binder(CallSpec const &spec, Callable const &function) : spec_(spec), function_(function) {}
@@ -91,12 +100,11 @@ private:
       bool const is_base = item.base == of.name && item.path == item.base;
       std::vector<Section> const all = sections(item);
       if (!is_base || dimension >= all.size()) continue;
-      Section const &one = all[dimension];
-      std::string const needed = one.low == "0" ? one.length : "(" + one.low + ") + (" + one.length + ")";
+      std::string const needed = end_of(all[dimension]);
       if (std::find(counts.begin(), counts.end(), needed) == counts.end()) counts.push_back(needed);
     }
     std::string most;
-    for (std::string const &one : counts) most = most.empty() ? one : fmt::format("({0} > {1} ? {0} : {1})", most, one);
+    for (std::string const &one : counts) most = most.empty() ? one : larger(most, one);
     return most;
   }
 
@@ -122,9 +130,8 @@ private:
     std::string most = item.path.starts_with('*') ? "1" : "";
     for (Item const &other : spec_.items)
       if (other.path == item.path && !other.sections.empty()) {
-        Section const &one = other.sections[0];
-        std::string const needed = one.low == "0" ? one.length : "(" + one.low + ") + (" + one.length + ")";
-        most = most.empty() || most == needed ? needed : fmt::format("({0} > {1} ? {0} : {1})", most, needed);
+        std::string const needed = end_of(other.sections[0]);
+        most = most.empty() || most == needed ? needed : larger(most, needed);
       }
     std::string const path = item.path.starts_with('*') ? item.path.substr(1) : item.path;
     if (most.empty() || std::find(given_.begin(), given_.end(), path) != given_.end()) return;

@@ -1,6 +1,6 @@
 #include "tool/calls/call_spec.h"
 
-#include "rewrite/facts/clause.h"
+#include "rewrite/facts/tables.h"
 #include "rewrite/text/source_text.h"
 
 #include <algorithm>
@@ -10,8 +10,7 @@ namespace symreal::tool {
 namespace {
 
 using rewrite::ConfiguredText;
-
-bool is_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
+using rewrite::is_word;
 
 [[noreturn]] void refuse(Place const &place, std::string const &message) {
   fail(DiagnosticId::call_specification, place, message);
@@ -92,10 +91,10 @@ void read_item(Part const &part, CallSpec::Item &item) {
   if (part.text.empty()) refuse(part.place, "an item is missing here");
   item.text = {part.string(), part.place};
   std::size_t at = part.text.find_first_not_of("*&( ");
-  if (at == part.text.npos || !is_name(part.text[at]) || std::isdigit(static_cast<unsigned char>(part.text[at])))
+  if (at == part.text.npos || !is_word(part.text[at]) || std::isdigit(static_cast<unsigned char>(part.text[at])))
     refuse(part.place, "'" + part.string() + "' is not an item: an item is an argument, as in q[0:6] or state->x");
   std::size_t end = at;
-  while (end < part.text.size() && (is_name(part.text[end]) || part.text.substr(end, 2) == "::"))
+  while (end < part.text.size() && (is_word(part.text[end]) || part.text.substr(end, 2) == "::"))
     end += part.text[end] == ':' ? 2 : 1;
   item.base = part.text.substr(at, end - at);
   item.path = item.text.text;
@@ -184,7 +183,7 @@ std::size_t operator_word(std::string_view text) {
   for (std::size_t at = text.rfind(word); at != text.npos && text.size() > word.size();
        at = at == 0 ? text.npos : text.rfind(word, at - 1)) {
     char const behind = at + word.size() < text.size() ? text[at + word.size()] : ' ';
-    if ((at == 0 || !is_name(text[at - 1])) && (!is_name(behind) || behind == ' ')) return at;
+    if ((at == 0 || !is_word(text[at - 1])) && (!is_word(behind) || behind == ' ')) return at;
   }
   return text.npos;
 }
@@ -207,7 +206,7 @@ std::size_t scopes_begin(std::string_view text, std::size_t end) {
   for (int depth = 0; begin > 0; --begin) {
     char const c = text[begin - 1];
     depth += (c == '>') - (c == '<');
-    if (depth < 0 || (depth == 0 && !is_name(c) && c != ':' && c != '<')) break;
+    if (depth < 0 || (depth == 0 && !is_word(c) && c != ':' && c != '<')) break;
   }
   return begin;
 }
@@ -224,7 +223,7 @@ void read_name(Part part, CallSpec &spec) {
     if (scopes_begin(part.text, word) != 0) refuse_name(part);
     std::string name = part.string();
     std::size_t const symbol = name.find_first_not_of(' ', word + std::string_view("operator").size());
-    if (symbol != name.npos && !is_name(name[symbol])) std::erase(name, ' ');
+    if (symbol != name.npos && !is_word(name[symbol])) std::erase(name, ' ');
     spec.function = {name, part.place};
     return;
   }

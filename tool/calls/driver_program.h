@@ -5,7 +5,6 @@
 #include "tool/report/console.h"
 
 #include <functional>
-#include <string>
 #include <vector>
 
 namespace symreal::tool {

@@ -1,9 +1,10 @@
-#include "tool/analysis/analysis_options.h"
 #include "tool/analysis/figures_report.h"
 #include "tool/commands/analyzed_graph.h"
 #include "tool/commands/optimise.h"
 #include "tool/commands/subcommands.h"
 #include "tool/commands/sweep.h"
+#include "tool/options/option_table.h"
+#include "tool/options/source_options.h"
 #include "tool/output/outputs.h"
 
 #include <iostream>
@@ -24,11 +25,7 @@ struct Options {
 };
 
 void require_sense(Options const &options) {
-  if (!options.sweep.empty()) {
-    if (!options.operations_csv.empty())
-      fail(DiagnosticId::option_without_effect, {}, "--operations lists one graph, and --sweep has many");
-    return;
-  }
+  if (!options.sweep.empty()) return;
   if (options.files.size() != 1) fail(DiagnosticId::bad_option, {}, "name one graph, or a family with --sweep");
   if (options.sweep_argument)
     fail(DiagnosticId::option_without_effect, {}, "--sweep-argument says how --sweep hands on a size");
@@ -44,7 +41,7 @@ void write_tables(std::vector<OutputFile> files) {
 }
 
 void analyze_graph(Options const &options, CLI::App const &command) {
-  Costs const costs = options.analysis.costs();
+  Costs const costs = costs_named(options.analysis.cost);
   Graph const graph = analyzed_graph(command, options.passes, options.files.front());
   Figures const all = figures(graph, costs, options.analysis.goal(costs));
   write_tables({{options.csv, options.csv.empty() ? "" : profile_csv(costs, all)},
@@ -60,7 +57,7 @@ int analyze_family(Options &options, CLI::App &command, Session &session) {
   options.source.project.configure(command, session.configured);
   (void)options.passes.settings();
   (void)options.passes.names();
-  Costs const costs = options.analysis.costs();
+  Costs const costs = costs_named(options.analysis.cost);
   SweepRequest request{parse_sweep(options.sweep), options.sweep_argument, {}, options.source.project.calls};
   request.front = [&](std::vector<std::string> const &flags) {
     CompilerFlags all = session.flags;
@@ -88,6 +85,7 @@ int analyze_family(Options &options, CLI::App &command, Session &session) {
 }
 
 int run(Options &options, CLI::App &command, Session &session) {
+  require_compatible(command);
   require_sense(options);
   if (!options.sweep.empty()) return analyze_family(options, command, session);
   refuse_flags(session);

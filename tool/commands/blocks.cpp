@@ -1,4 +1,3 @@
-#include "tool/analysis/analysis_options.h"
 #include "tool/analysis/blocks_report.h"
 #include "tool/commands/analyzed_graph.h"
 #include "tool/commands/subcommands.h"

@@ -1,5 +1,6 @@
 #include "engine/diagnostics/diagnostic.h"
 #include "tool/commands/subcommands.h"
+#include "tool/options/option_table.h"
 
 #include <iostream>
 #include <memory>
@@ -47,9 +48,9 @@ void add_explain(CLI::App &app, Session &session) {
   auto json = std::make_shared<bool>(false);
   command->add_option("id", *wanted, "As in SYM012");
   command->add_flag("--json", *json, "List all as JSON");
-  command->callback([wanted, json, &session] {
+  command->callback([wanted, json, command, &session] {
     refuse_flags(session);
-    if (*json && !wanted->empty()) fail(DiagnosticId::option_without_effect, {}, "--json is for the whole list");
+    require_compatible(*command);
     if (wanted->empty()) return *json ? list_json() : list();
     DiagnosticInfo const *row = find_diagnostic(*wanted);
     if (!row) fail(DiagnosticId::bad_option, {}, "no diagnostic has the id '" + *wanted + "'");

@@ -1,32 +1,40 @@
+#include "engine/graph/graph.h"
 #include "engine/graph/graph_text.h"
 #include "engine/graph/names.h"
-#include "engine/graph/states.h"
 #include "engine/optimise/differentiate/differentiate.h"
-#include "engine/plan/schedule/angles.h"
+#include "engine/plan/plan_text.h"
 #include "engine/support/files.h"
 #include "engine/support/math_library.h"
+#include "program/record/front.h"
 #include "program/wrapper/baked_values.h"
 #include "tool/analysis/parallel_option.h"
+#include "tool/bundle/bundle.h"
 #include "tool/calls/driver_program.h"
-#include "tool/commands/products.h"
+#include "tool/commands/optimise.h"
 #include "tool/commands/subcommands.h"
-#include "tool/options/decisions_option.h"
-#include "tool/options/differentiate_option.h"
-#include "tool/options/reroll_option.h"
-#include "tool/options/vector_option.h"
+#include "tool/options/code_options.h"
+#include "tool/options/option_table.h"
+#include "tool/options/pass_options.h"
+#include "tool/options/recording_options.h"
+#include "tool/options/source_options.h"
 #include "tool/output/depfile.h"
 #include "tool/output/outputs.h"
 #include "tool/output/wrapper.h"
 #include "tool/output/write_config.h"
 #include "tool/report/console.h"
-#include "tool/report/frozen.h"
+#include "tool/report/report.h"
 
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <fmt/ostream.h>
+#include <iostream>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <sstream>
+#include <string>
+#include <vector>
 
 namespace symreal::tool {
 namespace {
@@ -44,20 +52,15 @@ struct Options {
   RerollOption reroll;
   VectorOption vector;
   std::string output, graph_file;
+  std::vector<std::string> dump;
+  bool dumps(std::string_view stage) const { return std::ranges::find(dump, stage) != dump.end(); }
   DecisionsOption decisions;
   FrozenOption frozen;
   std::string depfile;
-  bool via_ir = false, check = false, wrapper = false, statistics = false, json = false, write_config = false;
+  std::string recorded = "source";
+  bool records_instructions() const { return recorded == "instructions"; }
+  bool check = false, wrapper = false, statistics = false, json = false, write_config = false;
 };
-
-bool names_directory(std::string const &path) { return path.ends_with('/') || fs::is_directory(path); }
-
-// Path of an output. `name`: its name if the option is missing or names a directory.
-std::string place_output(std::string const &option, std::string const &name, bool several) {
-  if (option.empty()) return name;
-  bool directory = several || names_directory(option);
-  return directory ? (fs::path(option) / fs::path(name).filename()).string() : option;
-}
 
 bool calls_c(Options const &options) {
   std::vector<Language const *> const languages = options.language.languages();
@@ -67,29 +70,25 @@ bool calls_c(Options const &options) {
 constexpr char const *no_derivatives_in_wrapper =
     "--wrapper defines the original's function, which has no place for derivatives";
 
-void require_sense(Options const &options) {
+void require_sense(CLI::App const &command, Options const &options) {
+  require_compatible(command);
+  options.bundle.require_sense();
   require_one_language(options.language.languages(), options.emitter);
   if (options.wrapper && !calls_c(options))
     fail(DiagnosticId::option_without_effect, {}, "--wrapper calls generated C: name c among the languages of --lang");
   if (options.wrapper && options.emitter.is_single())
     fail(DiagnosticId::bad_option, {}, "--wrapper hands on doubles: leave --real=float out");
-  if (options.differentiate.separate && options.bundle.is_given())
-    fail(DiagnosticId::option_without_effect, {}, "--separate makes two files, and a package or unit has one function");
   if (options.wrapper && options.differentiate.is_given() && !options.differentiate.separate)
     fail(DiagnosticId::bad_option, {}, no_derivatives_in_wrapper);
   (void)options.emitter.is_single();
-  options.vector.require_sense(options.emitter, options.parallel.is_given(), options.reroll.is_given);
-  options.parallel.require_sense(options.emitter);
-  options.reroll.require_sense(options.emitter, options.parallel.is_given());
   options.frozen.require_sense();
   options.decisions.require_sense();
-  if (options.via_ir && options.decisions.of_recording() == "select")
+  if (options.records_instructions() && options.decisions.of_recording() == "select")
     fail(DiagnosticId::bad_option, {},
-         "--decisions=select is about the rewritten text, and --via-ir records instructions: take guard or explore");
+         "--decisions=select is about the rewritten text, and --record=instructions rewrites nothing: take guard or "
+         "explore");
   (void)options.passes.settings();
   (void)options.passes.names();
-  if (options.check && !options.depfile.empty())
-    fail(DiagnosticId::option_without_effect, {}, "--depfile has no effect with --check, which writes nothing");
 }
 
 // Checks the outputs before the work is done.
@@ -100,26 +99,43 @@ void require_outputs(Options const &options) {
   if (may_be_file(options.output) && fs::path(options.output).has_extension())
     require_source_name(options.output, options.language.languages());
   std::vector<std::string> paths = {options.emitter.map_file, options.depfile};
-  for (std::string const *one : {&options.output, &options.graph_file, &options.bundle.unit.file})
+  for (std::string const *one : {&options.output, &options.graph_file, &options.bundle.unit})
     if (may_be_file(*one)) paths.push_back(*one);
   require_writable(paths);
 }
 
+// What is generated of a kernel.
+struct Product {
+  Optimised optimised = {};
+  std::vector<OutputFile> files = {};
+  Bundle bundle = {};
+  std::vector<Diagnostic> warnings = {};
+  std::vector<std::string> remarks = {};      // in words: threads that share it, sines at the start, loops, vectors
+  std::optional<OperationCounts> looped = {}; // operations of compute inside and outside loops
+  std::optional<program::Exploration> exploration = {};
+  double seconds = 0;
+};
+
 // Emits the source files of a kernel.
-void emit_sources(Wrappers &wrappers, program::Recorded const &recorded, Schedule const &plan, Options const &options,
-                  bool several, Product &product) {
+void emit_sources(Wrappers &wrappers, program::Recorded const &recorded, Schedule const &schedule,
+                  Options const &options, bool several, Product &product) {
   std::string given = recorded.output_file.empty() ? recorded.kernel.name + ".c" : recorded.output_file;
   std::string const path = place_output(options.output, given, several);
   std::vector<Language const *> const languages = options.language.languages(), any = all_languages();
   require_source_name(path, options.output == path ? languages : any);
-  Schedule const laid_out = as_emitted(plan, options.emitter, options.passes.floating_point(), languages);
-  product.angles = describe(laid_out.angles);
-  std::optional<Rerolled> const loops =
-      options.reroll.loops(laid_out, product.optimised.loops, options.passes, product.warnings, product.loops);
-  if (loops && loops->compute) product.looped = executed_operations(laid_out, *loops);
-  std::optional<Laned> const lanes = options.vector.lanes(laid_out, product.warnings, product.lanes);
-  product.files = emitted_files(plan, options.emitter, options.passes.floating_point(), languages, path,
-                                loops ? &*loops : nullptr, lanes ? &*lanes : nullptr);
+  PlannedCode code = planned_code(schedule, product.optimised.loops, languages,
+                                  {options.passes, options.emitter, options.reroll, options.vector});
+  product.remarks.insert(product.remarks.end(), {code.angles, code.loops, code.lanes});
+  product.looped = code.looped;
+  product.warnings.insert(product.warnings.end(), code.remarks.begin(), code.remarks.end());
+  auto const dump = [&](char const *extension, auto const &write) {
+    std::ostringstream text;
+    write(text);
+    product.files.push_back({fs::path(path).replace_extension(extension).string(), std::move(text).str()});
+  };
+  product.files = emitted_files(code.plan, options.emitter, options.passes.floating_point(), languages, path);
+  if (options.dumps("optimised")) dump(".graph", [&](std::ostream &out) { write_graph(out, code.plan.graph()); });
+  if (options.dumps("plan")) dump(".plan", [&](std::ostream &out) { write_plan(out, code.plan); });
   if (!options.wrapper) return;
   std::vector<OutputFile> const wrapper =
       wrappers.add(recorded, product.optimised.graph, options.emitter, fs::path(path).replace_extension(".c"));
@@ -127,21 +143,22 @@ void emit_sources(Wrappers &wrappers, program::Recorded const &recorded, Schedul
 }
 
 // Emits the files of a kernel, given its schedule.
-void emit_files(Wrappers &wrappers, program::Recorded const &recorded, Schedule const &plan, Options const &options,
+void emit_files(Wrappers &wrappers, program::Recorded const &recorded, Schedule const &schedule, Options const &options,
                 bool several, Product &product) {
   if (options.bundle.is_given())
-    product.bundle = options.bundle.bundle(plan, options.emitter, options.passes.floating_point(), several);
+    product.bundle = options.bundle.bundle(schedule, options.emitter, options.passes.floating_point(), several);
   else
-    emit_sources(wrappers, recorded, plan, options, several, product);
+    emit_sources(wrappers, recorded, schedule, options, several, product);
 }
 
 // Optimises the product's graph and schedules it.
-Schedule planned(Product &product, Graph graph, Options const &options, Console &console) {
+Schedule scheduled(Product &product, Graph graph, Options const &options, Console &console) {
   auto const report = [&](Diagnostic const &one) { console.report(one); };
   product.optimised = options.reroll.is_given ? optimise_around_loops(std::move(graph), options.passes, options.emitter,
                                                                       options.language.languages(), report)
                                               : optimise(std::move(graph), options.passes, report);
-  return options.parallel.shared(schedule(product.optimised.graph, options.emitter.nesting()), product.sharing);
+  return options.parallel.shared(schedule(product.optimised.graph, options.emitter.nesting()),
+                                 product.remarks.emplace_back());
 }
 
 // The product of --separate: derivatives alone, in a file beside the kernel's.
@@ -155,20 +172,20 @@ Product derivative_product(Wrappers &wrappers, program::Recorded const &recorded
          "--separate: '" + graph.kernel +
              "' calls functions with effects, and a second function would call them again");
   Product product;
-  Schedule const plan = planned(product, derivatives_of(graph, own_outputs), options, console);
+  Schedule const schedule = scheduled(product, derivatives_of(graph, own_outputs), options, console);
   std::string const given = recorded.output_file.empty() ? recorded.kernel.name + ".c" : recorded.output_file;
   fs::path const path = place_output(options.output, given, several);
   options.output = (path.parent_path() / (path.stem().string() + "_derivatives" + path.extension().string())).string();
   std::string const &prefix = options.emitter.prefix;
   options.emitter.prefix = identifier(prefix.empty() ? graph.kernel : prefix) + "_derivatives";
   options.wrapper = false;
-  emit_sources(wrappers, recorded, plan, options, /*several=*/false, product);
+  emit_sources(wrappers, recorded, schedule, options, /*several=*/false, product);
   return product;
 }
 
 bool accept_frozen(std::vector<program::Recorded> const &kernels, Options const &options, program::Talk const &talk,
                    Console &console) {
-  if (report_frozen(kernels, options.frozen, console)) return true;
+  if (options.frozen.accepts(kernels, [&](Diagnostic const &one) { console.report(one); })) return true;
   for (program::Recorded const &one : kernels)
     if (!one.clauses.empty()) talk.lacking(one);
   return false;
@@ -207,8 +224,8 @@ std::optional<std::vector<Product>> generate(program::FrontRequest const &reques
       alone.wishes.clear();
       recorded.graph = std::move(alone);
     }
-    Schedule const plan = planned(product, std::move(recorded.graph), options, console);
-    emit_files(wrappers, recorded, plan, options, several, product);
+    Schedule const schedule = scheduled(product, std::move(recorded.graph), options, console);
+    emit_files(wrappers, recorded, schedule, options, several, product);
     if (!options.graph_file.empty())
       product.files.push_back(
           {place_output(options.graph_file, recorded.kernel.name + ".graph", several), std::move(graph).str()});
@@ -229,6 +246,67 @@ void write_config(ProjectOptions const &project, std::vector<Lacking> const &lac
   console.note(file + " now has what the pragma lacks; check it, and run again");
 }
 
+// All files of a product, bundles first.
+std::vector<OutputFile const *> all_files(Product const &product) {
+  std::vector<OutputFile const *> all;
+  for (auto const *list : {&product.bundle.package.files, &product.bundle.units, &product.files})
+    for (OutputFile const &file : *list) all.push_back(&file);
+  return all;
+}
+
+// Are these files on disk with the same content? Writes nothing.
+bool check_products(std::vector<Product> const &products) {
+  std::vector<OutputFile const *> files;
+  for (Product const &product : products)
+    for (OutputFile const *file : all_files(product)) files.push_back(file);
+  return check_files(files);
+}
+
+// All files of the products, with the directories to create.
+Outputs outputs_of(std::vector<Product> const &products, std::vector<std::string> const &directories) {
+  Outputs outputs;
+  for (std::string const &directory : directories)
+    if (!directory.empty()) outputs.directories.push_back(directory);
+  for (Product const &product : products) {
+    product.bundle.add_to(outputs);
+    outputs.files.insert(outputs.files.end(), product.files.begin(), product.files.end());
+  }
+  return outputs;
+}
+
+// Prints the table, or JSON on standard output.
+void show_products(std::vector<Product> const &products, program::Front const &front, bool details, bool as_json) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  for (Product const &product : products) {
+    KernelReport report{product.optimised.recorded, &product.optimised.graph, product.optimised.stages, {}, {}};
+    for (OutputFile const *file : all_files(product)) report.files.push_back(file->path);
+    report.seconds = {{"rewrite", front.rewrite_seconds},
+                      {"build", front.build_seconds},
+                      {"run", front.run_seconds},
+                      {"optimise and emit", product.seconds}};
+    report.exploration = product.exploration ? &*product.exploration : nullptr;
+    report.looped = product.looped;
+    print_table(std::cerr, report, details);
+    for (std::string const &remark : product.remarks)
+      if (!remark.empty()) fmt::print(std::cerr, "  {}\n", remark);
+    if (as_json) json.push_back(to_json(report));
+  }
+  program::ObjectCache const &cache = *front.build.cache;
+  if (details)
+    fmt::print(std::cerr,
+               "sources: {} read, {} as an earlier run read them\n"
+               "objects: {} compiled, {} as an earlier run compiled them\n",
+               front.rewritten.sources_read, front.rewritten.sources_kept, cache.compiled(), cache.reused());
+  if (as_json)
+    std::cout << nlohmann::ordered_json{{"kernels", json},
+                                        {"sources",
+                                         {{"read", front.rewritten.sources_read},
+                                          {"reused", front.rewritten.sources_kept}}},
+                                        {"objects", {{"compiled", cache.compiled()}, {"reused", cache.reused()}}}}
+                     .dump(2)
+              << "\n";
+}
+
 // Writes the results; with --check, compares them and returns false if a file differs.
 bool write_results(std::vector<Product> const &products, program::Front const &front,
                    program::FrontRequest const &request, Options const &options) {
@@ -240,13 +318,13 @@ bool write_results(std::vector<Product> const &products, program::Front const &f
           make_directory(directory.string());
   BundleOption const &bundle = options.bundle;
   bool const several = front.kernels.size() > 1;
-  Outputs outputs = outputs_of(
-      products, several ? std::vector{options.output, options.graph_file, bundle.package.folder, bundle.unit.file}
-                        : std::vector<std::string>());
+  Outputs outputs =
+      outputs_of(products, several ? std::vector{options.output, options.graph_file, bundle.package, bundle.unit}
+                                   : std::vector<std::string>());
   if (!options.depfile.empty()) {
     warn_of_unseen(options.depfile);
-    outputs.files.push_back({options.depfile, dependencies(options.depfile, first_path(products.front()), front,
-                                                           request, options.source.project)});
+    outputs.files.push_back({options.depfile, dependencies(options.depfile, all_files(products.front()).front()->path,
+                                                           front, request, options.source.project)});
   }
   write_outputs(outputs);
   return true;
@@ -254,8 +332,7 @@ bool write_results(std::vector<Product> const &products, program::Front const &f
 
 int run(CLI::App &command, Options &options, Session &session) {
   options.source.project.configure(command, session.configured);
-  options.bundle.require_sense(command);
-  require_sense(options);
+  require_sense(command, options);
   Console console;
   program::FrontRequest request = options.source.request(session.flags);
   options.emitter.reference = math_library();
@@ -264,7 +341,7 @@ int run(CLI::App &command, Options &options, Session &session) {
   request.run.paths_met = options.decisions.paths_met;
   request.run.floating_point = options.passes.mode;
   request.run.places = true;
-  request.run.from_instructions = options.via_ir;
+  request.run.from_instructions = options.records_instructions();
   std::vector<Lacking> lacking;
   program::Talk talk = console.talk();
   talk.lacking = [&](program::Recorded const &one) { lacking.push_back({one.kernel, one.clauses}); };
@@ -297,6 +374,10 @@ void add_generate(CLI::App &app, Session &session) {
                       "C and C++ sources of the program; with -p by default all of them");
   command->add_option("-o", options->output, "Output file, or directory for several kernels")->type_name("FILE");
   command->add_option("--graph", options->graph_file, "Also write the recorded graph as text")->type_name("FILE");
+  command->add_option("--dump", options->dump, "Also write these stages as text beside the output: optimised, plan")
+      ->type_name("STAGES")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"optimised", "plan"}));
   command->add_option("--depfile", options->depfile, "Also write the dependencies of the result as a make rule")
       ->type_name("FILE");
   command->add_flag("--check", options->check, "Write nothing; check whether the existing files are up to date");
@@ -312,8 +393,11 @@ void add_generate(CLI::App &app, Session &session) {
   command->add_flag("--wrapper", options->wrapper,
                     "Also emit a file that defines the function in place of the original");
   options->decisions.add_to(*command);
-  command->add_flag("--via-ir", options->via_ir,
-                    "Record the instructions clang 19 emits for the original; rewrite nothing");
+  command
+      ->add_option("--record", options->recorded,
+                   "Record the rewritten source, or the instructions that clang 19 emits for the original")
+      ->type_name("source|instructions")
+      ->check(CLI::IsMember({"source", "instructions"}));
   options->frozen.add_to(*command);
   options->source.add_to(*command);
   command->add_flag("--write-config", options->write_config, "Add the clauses that a pragma lacks to .symreal.yaml");

@@ -7,7 +7,6 @@
 #include "tool/commands/subcommands.h"
 #include "tool/output/outputs.h"
 
-#include <fmt/format.h>
 #include <iostream>
 #include <memory>
 

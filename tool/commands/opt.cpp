@@ -1,13 +1,13 @@
 #include "engine/graph/graph_text.h"
-#include "engine/plan/schedule/schedule_text.h"
+#include "engine/plan/plan_text.h"
 #include "engine/support/files.h"
 #include "tool/analysis/parallel_option.h"
-#include "tool/commands/bundle.h"
+#include "tool/bundle/bundle.h"
 #include "tool/commands/optimise.h"
 #include "tool/commands/subcommands.h"
-#include "tool/options/differentiate_option.h"
-#include "tool/options/reroll_option.h"
-#include "tool/options/vector_option.h"
+#include "tool/options/code_options.h"
+#include "tool/options/option_table.h"
+#include "tool/options/pass_options.h"
 #include "tool/output/outputs.h"
 #include "tool/report/console.h"
 
@@ -35,7 +35,7 @@ struct Options {
 
 bool emits_code(Options const &options) { return options.bundle.is_given() || !options.language.languages().empty(); }
 
-void require_sense(Options const &options) {
+void require_sense(CLI::App const &command, Options const &options) {
   EmitterOptions const &emitter = options.emitter;
   if (!emits_code(options) && (!emitter.extras.empty() || !emitter.prefix.empty() || emitter.trace_comments ||
                                emitter.check_values || !emitter.map_file.empty() || emitter.is_single()))
@@ -43,13 +43,13 @@ void require_sense(Options const &options) {
          "--prefix, --real, --mainline, --mex, --simulink, --trace-comments, --map and --check-values shape generated "
          "code: use "
          "--lang=c");
-  options.vector.require_sense(emitter, options.parallel.is_given(), options.reroll.is_given);
-  options.parallel.require_sense(emitter);
-  options.reroll.require_sense(emitter, options.parallel.is_given());
-  if (options.vector.is_given() && !emits_code(options))
-    fail(DiagnosticId::option_without_effect, {}, "--vector makes vectors of operations: use --lang=c");
-  if (options.reroll.is_given && !emits_code(options))
-    fail(DiagnosticId::option_without_effect, {}, "--reroll makes loops of statements: use --lang=c");
+  require_compatible(command);
+  options.bundle.require_sense();
+  bool const is_graph = options.language.text == "graph" && !options.bundle.is_given();
+  if (options.vector.is_given() && is_graph)
+    fail(DiagnosticId::option_without_effect, {}, "--vector makes vectors of operations: use --lang=c or --lang=plan");
+  if (options.reroll.is_given && is_graph)
+    fail(DiagnosticId::option_without_effect, {}, "--reroll makes loops of statements: use --lang=c or --lang=plan");
   if (options.parallel.is_given() && options.language.text == "graph")
     fail(DiagnosticId::option_without_effect, {},
          "--parallel shares out statements, which graphs do not have: use --lang=c");
@@ -65,31 +65,34 @@ void require_sense(Options const &options) {
     fail(DiagnosticId::option_without_effect, {}, "--json prints to standard output: name the result's file with -o");
 }
 
-// Input of the command: a graph, or a schedule, which fixes the order of its operations.
+// Input of the command: a graph, or a plan, which fixes the order of its operations.
 struct Input {
   Graph graph;
-  std::optional<ReadSchedule> schedule;
+  std::optional<ReadPlan> plan;
 };
 
 Input read_input(Options const &options) {
   std::string const text = read_file(options.file);
-  if (!is_schedule(text))
+  if (!is_plan(text))
     return {options.differentiate.applied(read_graph(text, options.file),
                                           [](Diagnostic const &warning) { print(std::cerr, warning); }),
             {}};
   if (options.differentiate.is_given())
     fail(DiagnosticId::option_without_effect, {},
-         "--differentiate works on graphs, and '" + options.file + "' is a schedule");
+         "--differentiate works on graphs, and '" + options.file + "' is a plan");
   if (options.passes.is_given())
-    fail(DiagnosticId::option_without_effect, {}, "passes work on graphs, and '" + options.file + "' is a schedule");
+    fail(DiagnosticId::option_without_effect, {}, "passes work on graphs, and '" + options.file + "' is a plan");
   if (options.emitter.check_values)
     fail(DiagnosticId::option_without_effect, {},
-         "--check-values lays a graph out in its own way, and '" + options.file + "' is a schedule");
+         "--check-values lays a graph out in its own way, and '" + options.file + "' is a plan");
   if (options.parallel.is_given())
     fail(DiagnosticId::option_without_effect, {},
-         "--parallel shares out a graph, and '" + options.file +
-             "' is a schedule, which says itself who computes what");
-  return {{}, read_schedule(text, options.file)};
+         "--parallel shares out a graph, and '" + options.file + "' is a plan, which says itself who computes what");
+  for (bool const is_given : {options.reroll.is_given, options.vector.is_given()})
+    if (is_given)
+      fail(DiagnosticId::option_without_effect, {},
+           "--reroll and --vector work on graphs, and '" + options.file + "' is a plan");
+  return {{}, read_plan(text, options.file)};
 }
 
 Optimised optimised_graph(Graph graph, Options const &options) {
@@ -100,7 +103,7 @@ Optimised optimised_graph(Graph graph, Options const &options) {
   return optimise_around_loops(std::move(graph), options.passes, options.emitter, options.language.languages(), report);
 }
 
-std::vector<OutputFile> result_files(Optimised const &optimised, Schedule const *read, Options const &options,
+std::vector<OutputFile> result_files(Optimised const &optimised, Plan const *read, Options const &options,
                                      std::string &remark) {
   Graph const &graph = optimised.graph;
   std::ostringstream text;
@@ -108,40 +111,42 @@ std::vector<OutputFile> result_files(Optimised const &optimised, Schedule const 
     write_graph(text, graph);
     return {{options.output, text.str()}};
   }
-  Schedule const plan = read ? *read : options.parallel.shared(schedule(graph, options.emitter.nesting()), remark);
   std::vector<Language const *> const languages = options.language.languages();
-  if (languages.empty()) {
-    write_schedule(text, plan);
+  bool const is_text = languages.empty(); // of the plan for C
+  PlannedCode code;
+  if (read)
+    code.plan = *read;
+  else
+    code = planned_code(options.parallel.shared(schedule(graph, options.emitter.nesting()), remark), optimised.loops,
+                        is_text ? std::vector{find_language("c")} : languages,
+                        {options.passes, options.emitter, options.reroll, options.vector});
+  for (Diagnostic const &diagnostic : code.remarks) print(std::cerr, diagnostic);
+  for (std::string const &found : {code.loops, code.lanes})
+    if (!found.empty()) remark = found;
+  if (is_text) {
+    write_plan(text, code.plan);
     return {{options.output, text.str()}};
   }
   std::string const path =
       options.output.empty() ? graph.kernel + std::string(languages[0]->files.extension) : options.output;
   require_source_name(path, languages);
-  std::vector<Diagnostic> remarks;
-  Schedule const laid_out = as_emitted(plan, options.emitter, options.passes.floating_point(), languages);
-  std::optional<Rerolled> const loops =
-      options.reroll.loops(laid_out, optimised.loops, options.passes, remarks, remark);
-  std::optional<Laned> const lanes = options.vector.lanes(laid_out, remarks, remark);
-  for (Diagnostic const &diagnostic : remarks) print(std::cerr, diagnostic);
-  return emitted_files(plan, options.emitter, options.passes.floating_point(), languages, path,
-                       loops ? &*loops : nullptr, lanes ? &*lanes : nullptr);
+  return emitted_files(code.plan, options.emitter, options.passes.floating_point(), languages, path);
 }
 
-std::vector<std::string> write_bundle(Graph const &graph, Schedule const *read, Options const &options) {
-  Schedule const plan = read ? *read : schedule(graph, options.emitter.nesting());
-  Bundle const bundle = options.bundle.bundle(plan, options.emitter, options.passes.floating_point(), false);
+std::vector<std::string> write_bundle(Graph const &graph, Plan const *read, Options const &options) {
+  Bundle const bundle = options.bundle.bundle(read ? read->schedule : schedule(graph, options.emitter.nesting()),
+                                              options.emitter, options.passes.floating_point(), false);
   Outputs outputs;
   bundle.add_to(outputs);
   return write_outputs(outputs);
 }
 
-void run(CLI::App &command, Options const &options) {
-  options.bundle.require_sense(command);
-  require_sense(options);
+void run(CLI::App const &command, Options const &options) {
+  require_sense(command, options);
   Input input = read_input(options);
-  Optimised const optimised = input.schedule ? Optimised{*input.schedule->graph, {}, counts_of(*input.schedule->graph)}
-                                             : optimised_graph(std::move(input.graph), options);
-  Schedule const *const read = input.schedule ? &input.schedule->plan : nullptr;
+  Optimised const optimised = input.plan ? Optimised{*input.plan->graph, {}, counts_of(*input.plan->graph)}
+                                         : optimised_graph(std::move(input.graph), options);
+  Plan const *const read = input.plan ? &input.plan->plan : nullptr;
   KernelReport report{optimised.recorded, &optimised.graph, optimised.stages, {}, {}};
   if (options.bundle.is_given()) {
     report.files = write_bundle(optimised.graph, read, options);
@@ -164,14 +169,14 @@ void run(CLI::App &command, Options const &options) {
 
 void add_opt(CLI::App &app, Session &session) {
   CLI::App *command =
-      app.add_subcommand("opt", "Run passes on the text of a graph; print the graph or its schedule, or emit code");
+      app.add_subcommand("opt", "Run passes on the text of a graph; print the graph or its plan, or emit code");
   auto options = std::make_shared<Options>();
   command
       ->add_option("graph", options->file,
-                   "Graph text, as written by generate --graph; or a schedule, as written by --lang=schedule")
+                   "Graph text, as written by generate --graph; or a plan, as written by --lang=plan")
       ->required();
   command->add_option("-o", options->output, "Output file (default: standard output)")->type_name("FILE");
-  options->language.add_to(*command, "graph", "graph|schedule");
+  options->language.add_to(*command, "graph", "graph|plan");
   options->bundle.add_to(*command);
   options->differentiate.add_to(*command);
   options->passes.add_to(*command);

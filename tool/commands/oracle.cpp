@@ -4,6 +4,7 @@
 #include "engine/support/number.h"
 #include "tool/calls/driver_program.h"
 #include "tool/commands/subcommands.h"
+#include "tool/options/option_table.h"
 #include "tool/report/console.h"
 
 #include <algorithm>

@@ -2,10 +2,10 @@
 #include "engine/graph/graph_text.h"
 #include "program/build/read_files.h"
 #include "tool/commands/subcommands.h"
-#include "tool/options/decisions_option.h"
+#include "tool/options/option_table.h"
+#include "tool/options/recording_options.h"
 #include "tool/output/outputs.h"
 #include "tool/report/console.h"
-#include "tool/report/frozen.h"
 
 #include <filesystem>
 #include <memory>
@@ -43,8 +43,9 @@ int run(Options options, Session const &session) {
   program::Overlay const overlay;
   program::Recording recording = program::record(program_path(session.flags.front()), options.run, {}, {}, overlay,
                                                  workspace, console.talk().program_output);
-  bool const is_clean = report_all(recording.diagnostics, console.talk().report);
-  if (!is_clean || !report_frozen(recording.kernels, options.frozen, console)) return error;
+  program::Talk const talk = console.talk();
+  bool const is_clean = report_all(recording.diagnostics, talk.report);
+  if (!is_clean || !options.frozen.accepts(recording.kernels, talk.report)) return error;
   std::vector<OutputFile> files;
   for (program::Recorded const &recorded : recording.kernels) {
     std::ostringstream text;

@@ -1,4 +1,3 @@
-#include "tool/analysis/analysis_options.h"
 #include "tool/commands/optimise.h"
 #include "tool/commands/subcommands.h"
 #include "tool/html/page.h"

@@ -1,12 +1,11 @@
 #include "rewrite/rewrite.h"
 #include "engine/diagnostics/diagnostic.h"
-#include "engine/support/diff.h"
+#include "engine/support/files.h"
 #include "program/build/read_files.h"
 #include "program/build/tree_edit.h"
-#include "rewrite/edit/fixes.h"
-#include "rewrite/edit/mirror.h"
+#include "rewrite/text/exports.h"
 #include "tool/commands/subcommands.h"
-#include "tool/options/project_options.h"
+#include "tool/options/source_options.h"
 #include "tool/output/outputs.h"
 
 #include <algorithm>

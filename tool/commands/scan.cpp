@@ -1,8 +1,7 @@
-#include "program/build/symbolic_check.h"
+#include "program/build/compile.h"
 #include "tool/commands/subcommands.h"
-#include "tool/options/project_options.h"
-#include "tool/report/reached.h"
-#include "tool/report/readiness.h"
+#include "tool/options/source_options.h"
+#include "tool/report/scan_report.h"
 
 #include <algorithm>
 #include <iostream>

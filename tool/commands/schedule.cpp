@@ -1,8 +1,8 @@
-#include "engine/analysis/gantt/gantt.h"
+#include "engine/analysis/scheduling/gantt.h"
 #include "engine/analysis/tasks/stg.h"
+#include "tool/analysis/timetable.h"
 #include "tool/commands/subcommands.h"
 #include "tool/output/outputs.h"
-#include "tool/scheduling/timetable_output.h"
 
 #include <filesystem>
 #include <iostream>

@@ -2,7 +2,7 @@
 // that runs it and sets the exit status.
 #pragma once
 
-#include "tool/options/options.h"
+#include "tool/options/source_options.h"
 
 namespace symreal::tool {
 

@@ -1,6 +1,6 @@
 #include "program/build/tree_edit.h"
 #include "tool/commands/subcommands.h"
-#include "tool/options/recovery.h"
+#include "tool/options/source_options.h"
 
 #include <iostream>
 #include <memory>

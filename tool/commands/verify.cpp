@@ -1,3 +1,4 @@
+#include "engine/diagnostics/diagnostic.h"
 #include "engine/emit/origins/origins.h"
 #include "engine/graph/names.h"
 #include "engine/support/files.h"
@@ -7,15 +8,16 @@
 #include "program/wrapper/wrapped_original.h"
 #include "tool/calls/driver_program.h"
 #include "tool/commands/subcommands.h"
-#include "tool/commands/verify_merge.h"
-#include "tool/commands/verify_numeric.h"
-#include "tool/options/decisions_option.h"
+#include "tool/options/option_table.h"
+#include "tool/options/recording_options.h"
 #include "tool/output/outputs.h"
 #include "tool/report/certificate.h"
 #include "tool/report/console.h"
+#include "tool/report/verification_record.h"
 #include "tool/report/verify_report.h"
 #include "verify/bisection.h"
 #include "verify/generated_header.h"
+#include "verify/numeric_identity.h"
 #include "verify/verification.h"
 
 #include <algorithm>
@@ -25,6 +27,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <set>
 
 namespace symreal::tool {
 namespace {
@@ -36,9 +39,8 @@ struct Options {
   std::vector<std::string> files; // sources, then generated files
   program::VerificationOptions verification;
   CLI::Option *tolerance = nullptr;
-  NumericOptions numeric;
-  std::string shard, replay, certificate, check, paths_met;
-  bool json = false, bisect = false, merge = false;
+  std::string c_compiler, shard, replay, certificate, check, paths_met;
+  bool json = false, bisect = false, merge = false, numeric = false;
 };
 
 // Parses "K/N"; K counts from 1.
@@ -55,26 +57,93 @@ program::Shard parse_shard(std::string const &text) {
   return {k - 1, n};
 }
 
-void require_sense(CLI::App const &command) {
-  auto const excludes = [&](char const *one, char const *other, char const *why) {
-    if (command.get_option(one)->count() != 0 && command.get_option(other)->count() != 0)
-      fail(DiagnosticId::option_without_effect, {}, std::string(other) + " has no effect with " + one + ", " + why);
-  };
-  for (char const *drawing : {"--samples", "--seed", "--min-samples", "--shard", "--certificate"})
-    excludes("--replay", drawing, "which tries the samples of a file");
-  for (char const *certified : {"--samples", "--seed", "--min-samples", "--tol", "--shard", "--replay", "--certificate",
-                                "--branches", "--exact"})
-    excludes("--check", certified, "which does what the certificate says");
-  excludes("--shard", "--certificate", "which tries a share of the samples");
+// Refuses options of the command line that have no effect in this mode.
+void require_only(std::set<std::string> const &known, char const *mode, CLI::App const &command,
+                  Session const &session) {
+  for (CLI::Option const *one : command.get_options())
+    if (one->count() != 0 && !known.contains(one->get_name()) && !session.configured.contains(one->get_name()))
+      fail(DiagnosticId::option_without_effect, {}, one->get_name() + " has no effect with " + mode);
 }
 
-int run_numeric(CLI::App &command, Options &options, Session &session) {
+void print_json(nlohmann::ordered_json const &kernels) {
+  std::cout << (kernels.size() == 1 ? kernels.front() : nlohmann::ordered_json{{"kernels", kernels}}).dump(2) << "\n";
+}
+
+// Joins the results of all shards of a verification. Returns the exit status.
+int merge(CLI::App const &command, Options const &options, Session const &session) {
+  require_only({"files", "--merge", "--json"}, "--merge", command, session);
+  refuse_flags(session);
+  if (options.files.empty())
+    fail(DiagnosticId::bad_option, {}, "--merge takes results of verify --json, a file a shard");
+  std::vector<VerificationRecord> joined;
+  for (std::string const &file : options.files)
+    for (VerificationRecord const &record : read_records(file)) {
+      auto const found = std::ranges::find_if(joined, [&](VerificationRecord const &one) {
+        return one.graph.kernel == record.graph.kernel && one.file == record.file;
+      });
+      if (found == joined.end())
+        joined.push_back(record);
+      else
+        join(*found, record, file);
+    }
+  int status = clean;
+  nlohmann::ordered_json results = nlohmann::ordered_json::array();
+  for (VerificationRecord &record : joined) {
+    std::size_t const count = record.options.shard.count;
+    if (record.shards.size() != count)
+      fail(DiagnosticId::verification_file, {options.files.back()},
+           "kernel '" + record.graph.kernel + "' was verified in " + std::to_string(count) +
+               " shards, and the files have " + std::to_string(record.shards.size()) + " of them");
+    record.options.shard = {};
+    record.shards = {0};
+    print_verification(std::cerr, record.graph, record.verification);
+    results.push_back(to_json(record));
+    if (auto failure = verification_failure(record.graph, record.verification, record.options, record.file)) {
+      print(std::cerr, *failure);
+      status = verification_failed;
+    }
+  }
+  if (options.json) print_json(results);
+  return status;
+}
+
+// Compares object code before and after rewriting. Returns the exit status.
+int compare_numeric(CLI::App &command, Options &options, Session &session) {
   ProjectOptions &project = options.source.project;
   project.request.sources = options.files;
   project.configure(command, session.configured);
-  bool const is_given = command.get_option("--cxx")->count() != 0;
-  return verify_numeric(command, options.numeric, project, is_given ? options.source.front.build.compiler : "",
-                        options.source.front.keep, session);
+  require_only({"files", "--root", "--cxx", "--cc", "--numeric", "-p", "-j", "--config", "--type-name", "--keep"},
+               "--numeric", command, session);
+  rewrite::Request request = only_rewritten(project.complete(session.flags));
+  request.leave_out_broken = true;
+  std::vector<rewrite::Compilation> sources = rewrite::compilations_of(request);
+  std::size_t const asked = sources.size();
+  rewrite::Result const rewritten = rewrite::run(request);
+  // Obstacles to the symbolic program, such as functions defined elsewhere, do not affect the numeric one.
+  std::size_t obstacles = 0;
+  for (Diagnostic const &diagnostic : rewritten.diagnostics) {
+    bool const is_obstacle = diagnostic.severity == Severity::error && diagnostic.id != DiagnosticId::source_error;
+    obstacles += is_obstacle ? 1 : 0;
+    if (!is_obstacle) print(std::cerr, diagnostic);
+  }
+  if (obstacles != 0)
+    std::cerr << "note: " << obstacles << " obstacles to the symbolic program do not count here; `symreal scan` lists "
+              << "them\n";
+  for (std::string const &source : rewritten.left_out) std::cerr << "left out, does not compile: " << source << "\n";
+  std::erase_if(sources, [&](rewrite::Compilation const &one) {
+    return std::ranges::find(rewritten.left_out, one.source) != rewritten.left_out.end();
+  });
+  bool const keep = options.source.front.keep;
+  program::Workspace const workspace(keep);
+  if (keep) std::cerr << "the objects and the rewritten sources are in " << workspace.path() << "\n";
+  bool const names_compiler = command.get_option("--cxx")->count() != 0;
+  program::ObjectComparison const result = program::compare_object_code(
+      sources, rewritten, {options.c_compiler, names_compiler ? options.source.front.build.compiler : ""}, request.jobs,
+      workspace);
+  for (Diagnostic const &diagnostic : result.diagnostics) print(std::cerr, diagnostic);
+  std::cout << result.identical << " of " << asked << " translation units have identical object code\n";
+  if (result.identical != result.compared) return verification_failed;
+  return result.compared == asked ? clean : error;
 }
 
 // Takes the generated files from the end of the list, the last one in any case: errors in it are reported later.
@@ -91,7 +160,7 @@ std::vector<std::string> take_generated(std::vector<std::string> &files) {
 std::optional<program::Front> make_front(Options const &options, Session &session, program::Banner const &banner,
                                          program::RunOptions &run, Console &console) {
   program::FrontRequest request = options.source.request(session.flags);
-  if (!options.numeric.c_compiler.empty()) request.build.c_compiler = options.numeric.c_compiler;
+  if (!options.c_compiler.empty()) request.build.c_compiler = options.c_compiler;
   request.replay = true;
   request.branches = options.verification.branches;
   request.run.decisions = banner.decisions;
@@ -202,7 +271,7 @@ void require_table(std::string const &table, std::vector<std::string> const &gen
 }
 
 int run(CLI::App &command, Options &options, Session &session) {
-  require_sense(command);
+  require_compatible(command);
   if (!options.shard.empty()) options.verification.shard = parse_shard(options.shard);
   std::optional<nlohmann::ordered_json> wanted;
   if (!options.check.empty()) {
@@ -274,8 +343,7 @@ int run(CLI::App &command, Options &options, Session &session) {
       status = verification_failed;
     }
   }
-  if (options.json)
-    std::cout << (json.size() == 1 ? json.front() : nlohmann::ordered_json{{"kernels", json}}).dump(2) << "\n";
+  if (options.json) print_json(json);
   if (!wanted && (options.certificate.empty() || status != clean)) return status;
   std::string const from = wanted ? made_from(*wanted, options.check) : ".";
   nlohmann::ordered_json made = certificate({&*front, session.flags, generated}, records, from);
@@ -294,7 +362,10 @@ void add_verify(CLI::App &app, Session &session) {
   CLI::App *command = app.add_subcommand("verify", "Compare the generated code with the original on many inputs");
   auto options = std::make_shared<Options>();
   command->add_option("files", options->files, "The sources of the program, then generated files in C or C++");
-  options->numeric.add_to(*command);
+  command->add_flag("--numeric", options->numeric,
+                    "Compare only the object code of all sources before and after rewriting, without the switch");
+  command->add_option("--cc", options->c_compiler,
+                      "Compiler of sources that end in .c; by default cc, with --numeric that of their build");
   options->source.add_to(*command);
   program::VerificationOptions &verification = options->verification;
   command->add_option("--samples", verification.samples, "Number of samples")
@@ -330,11 +401,9 @@ void add_verify(CLI::App &app, Session &session) {
       ->type_name("FILE");
   command->add_option("--check", options->check, "Repeat a certificate's verification and compare")->type_name("FILE");
   command->callback([options, command, &session] {
-    if (options->merge)
-      session.status = verify_merge(*command, options->files, options->json, session);
-    else
-      session.status =
-          options->numeric.enabled ? run_numeric(*command, *options, session) : run(*command, *options, session);
+    session.status = options->merge     ? merge(*command, *options, session)
+                     : options->numeric ? compare_numeric(*command, *options, session)
+                                        : run(*command, *options, session);
   });
 }
 

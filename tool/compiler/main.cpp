@@ -8,11 +8,13 @@
 #include "program/build/process.h"
 #include "program/build/workspace.h"
 #include "rewrite/request/driver_options.h"
+#include "rewrite/rewrite.h"
 #include "tool/compiler/command_line.h"
 #include "tool/compiler/link.h"
-#include "tool/compiler/roots.h"
 #include "tool/compiler/translate.h"
+#include "tool/configuration/configuration.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
@@ -20,12 +22,77 @@
 #include <filesystem>
 #include <iostream>
 #include <optional>
+#include <sstream>
 #include <unistd.h>
 
 namespace symreal::compiler {
 namespace {
 
 namespace fs = std::filesystem;
+
+fs::path real(fs::path const &name) {
+  std::error_code error;
+  fs::path const path = fs::weakly_canonical(fs::absolute(name), error);
+  return error ? name : path;
+}
+
+bool is_below(fs::path const &path, fs::path const &directory) {
+  return path.native().starts_with((directory / "").native());
+}
+
+bool holds_one(fs::path const &directory, std::initializer_list<char const *> names) {
+  std::error_code error;
+  return std::any_of(names.begin(), names.end(), [&](char const *name) { return fs::exists(directory / name, error); });
+}
+
+fs::path project_of(fs::path const &source) {
+  fs::path built = source.parent_path(); // the highest directory that describes a build
+  for (fs::path at = built; at.has_relative_path(); at = at.parent_path()) {
+    if (holds_one(at, {".symreal.yaml", ".git", ".hg", ".svn"})) return at;
+    if (holds_one(at, {"CMakeLists.txt", "meson.build", "configure", "Makefile", "GNUmakefile"})) built = at;
+  }
+  return built;
+}
+
+bool is_probe_directory(std::string const &path) {
+  for (char const *part : {"/CMakeFiles/CMakeScratch/", "/CMakeFiles/CMakeTmp/", "/CMakeFiles/_CMakeLTOTest-",
+                           "/CompilerIdCXX/", "/CompilerIdC/", "/CMakeFiles/ShowIncludes/", "/meson-private/"})
+    if (path.find(part) != path.npos) return true;
+  return false;
+}
+
+// Roots of a source: $SYMREAL_ROOTS, directories separated by colons, or else the source's project: the nearest parent
+// with .symreal.yaml or a repository's top, else the highest that describes a build (CMakeLists.txt, meson.build,
+// configure, Makefile), else its own directory. Empty if the source lies outside $SYMREAL_ROOTS.
+Words roots_of(std::string const &source) {
+  fs::path const path = real(source);
+  char const *const given = std::getenv("SYMREAL_ROOTS");
+  if (!given || !*given) return {project_of(path).string()};
+  Words roots;
+  bool inside = false;
+  std::istringstream text(given);
+  for (std::string root; std::getline(text, root, ':');) {
+    if (root.empty()) continue;
+    roots.push_back(real(root).string());
+    inside |= is_below(path, roots.back());
+  }
+  return inside ? roots : Words();
+}
+
+// Exclusions of the source's .symreal.yaml.
+rewrite::Exclusion exclusion_of(std::string const &source) {
+  std::string const file = tool::find_configuration(real(source).parent_path().string());
+  return file.empty() ? rewrite::Exclusion() : tool::read_configuration(file).exclude;
+}
+
+// Is the source a probe by which CMake, Meson or configure tests the compiler? The answers must be those of the numeric
+// build.
+bool is_probe(std::string const &source) {
+  std::error_code error;
+  fs::path const here = fs::current_path(error);
+  return is_probe_directory((here / source).string()) || is_probe_directory((here / "").string()) ||
+         fs::path(source).filename().native().starts_with("conftest.");
+}
 
 Words host_compiler(char const *variable, char const *otherwise) {
   char const *const given = std::getenv(variable);
@@ -139,6 +206,7 @@ private:
 };
 
 } // namespace
+
 } // namespace symreal::compiler
 
 int main(int argc, char **argv) {

@@ -2,15 +2,14 @@
 
 #include "engine/support/files.h"
 #include "engine/support/installation.h"
+#include "engine/support/text.h"
 #include "program/build/c_macros.h"
 #include "program/build/compile.h"
-#include "program/build/compiler_errors.h"
+#include "program/build/compiler_messages.h"
 #include "program/build/make_rule.h"
 #include "program/build/read_files.h"
 #include "rewrite/rewrite.h"
-#include "rewrite/text/pragma_text.h"
-#include "tool/compiler/dependencies.h"
-#include "tool/compiler/link_marks.h"
+#include "tool/compiler/link.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -25,6 +24,21 @@ namespace {
 namespace fs = std::filesystem;
 using program::Overlay;
 using program::Workspace;
+
+// Fills in missing options: file and target are named after the output, as by gcc. Targets are escaped.
+DependencyOptions completed(CommandLine const &line, std::string const &source) {
+  DependencyOptions options = line.dependencies;
+  fs::path const stem = fs::path(source).stem();
+  bool const names_object = line.action != Action::link && !line.output.empty();
+  if (options.targets.empty())
+    options.targets.push_back(program::make_escaped(names_object ? line.output : stem.string() + ".o"));
+  if (!options.file.empty()) return options;
+  if (line.action == Action::link)
+    options.file = (line.output.empty() ? "a" : line.output) + "-" + stem.string() + ".d";
+  else
+    options.file = names_object ? fs::path(line.output).replace_extension(".d").string() : stem.string() + ".d";
+  return options;
+}
 
 void append(Words &words, Words const &more) { words.insert(words.end(), more.begin(), more.end()); }
 
@@ -184,7 +198,8 @@ bool compile(Translation const &translation, CommandLine const &line, rewrite::R
   if (!line.dependencies.wanted) return true;
   for (std::string &name : dependencies) name = names.original(name);
   DependencyOptions const options = completed(line, source);
-  deliver(write_dependencies(options, dependencies), options.file);
+  auto const phony = options.phony ? program::Phony::all_but_first : program::Phony::none;
+  deliver(program::make_rule(options.targets, dependencies, phony), options.file);
   return true;
 }
 

@@ -1,17 +1,66 @@
 #include "tool/configuration/yaml.h"
 
 #include "engine/support/files.h"
-#include "tool/configuration/yaml_fix.h"
+#include "engine/support/text.h"
 
 #include <set>
 #include <sstream>
 
 namespace symreal::tool {
+namespace {
 
-static Place at(std::string const &file, YAML::Mark const &mark) {
+// Does the item need quotes, since YAML takes it for a list, an alias, an anchor or a comment?
+bool wants_quotes(std::string const &item) {
+  if (item.empty() || item.front() == '"' || item.front() == '\'') return false;
+  return item.front() == '*' || item.front() == '&' || item.front() == '%' || item.front() == '@' ||
+         item.find_first_of("[]{}#") != item.npos;
+}
+
+// Quotes a value, or the values of a bracketed list.
+std::string value_with_quotes(std::string const &value) {
+  if (!value.starts_with("[")) return wants_quotes(value) ? in_quotes(value) : value;
+  bool const is_closed = value.ends_with("]");
+  std::string text = "[", before;
+  for (std::string const &item : items_of(value.substr(1, value.size() - (is_closed ? 2 : 1)))) {
+    text += before + (wants_quotes(item) ? in_quotes(item) : item);
+    before = ", ";
+  }
+  return text + "]";
+}
+
+// `inputs: ["q[0:6]", "v"]` for `inputs: [q[0:6], v]`; `exclude: "*.cpp"` for `exclude: *.cpp`. Empty if the line needs
+// no quotes.
+std::string with_quotes(std::string const &line) {
+  std::size_t const key = line.find(": ");
+  std::size_t const dash = line.find_first_not_of(' ');
+  std::size_t begin = key != line.npos ? key + 2 : 0;
+  if (key == line.npos && dash != line.npos && line.compare(dash, 2, "- ") == 0) begin = dash + 2;
+  std::string const value(trimmed(line.substr(begin)));
+  std::string const fixed = value_with_quotes(value);
+  return fixed == value ? "" : std::string(trimmed(line.substr(0, begin))) + " " + fixed;
+}
+
+// Suggested correction of the line with the error or one of the two before it; else empty.
+std::string fix(std::string const &text, YAML::Mark const &mark) {
+  if (mark.is_null()) return {};
+  std::vector<std::string> lines;
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line) && static_cast<int>(lines.size()) <= mark.line;) lines.push_back(line);
+  for (std::size_t k = 0; k < 3 && k < lines.size(); ++k) {
+    std::string const &line = lines[lines.size() - 1 - k];
+    if (std::size_t const first = line.find_first_not_of(' '); first != line.npos && line[first] == '\t')
+      return "; indent with blanks, not with tabs";
+    if (std::string const fixed = with_quotes(line); !fixed.empty()) return "; write it in quotes: " + fixed;
+  }
+  return {};
+}
+
+Place at(std::string const &file, YAML::Mark const &mark) {
   if (mark.is_null()) return {file};
   return {file, static_cast<unsigned>(mark.line) + 1, static_cast<unsigned>(mark.column) + 1};
 }
+
+} // namespace
 
 Place Yaml::place() const { return at(file_, node_.Mark()); }
 
@@ -47,21 +96,6 @@ std::vector<Yaml::Entry> Yaml::entries() const {
     entries.push_back(std::move(entry));
   }
   return entries;
-}
-
-// Suggested correction of the line with the error or one of the two before it; else empty.
-static std::string fix(std::string const &text, YAML::Mark const &mark) {
-  if (mark.is_null()) return {};
-  std::vector<std::string> lines;
-  std::istringstream in(text);
-  for (std::string line; std::getline(in, line) && static_cast<int>(lines.size()) <= mark.line;) lines.push_back(line);
-  for (std::size_t k = 0; k < 3 && k < lines.size(); ++k) {
-    std::string const &line = lines[lines.size() - 1 - k];
-    if (std::size_t const first = line.find_first_not_of(' '); first != line.npos && line[first] == '\t')
-      return "; indent with blanks, not with tabs";
-    if (std::string const fixed = with_quotes(line); !fixed.empty()) return "; write it in quotes: " + fixed;
-  }
-  return {};
 }
 
 Yaml read_yaml(std::string const &file) {

@@ -6,7 +6,6 @@
 
 #include <yaml-cpp/yaml.h>
 
-#include <functional>
 #include <string>
 #include <vector>
 

@@ -1,7 +1,6 @@
 #include "tool/html/page.h"
 
 #include "engine/diagnostics/diagnostic.h"
-#include "tool/html/assets.h"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>

@@ -1,7 +1,7 @@
 // Data of a report, from a graph and its optimised form to JSON.
 #pragma once
 
-#include "engine/analysis/figures/figures.h"
+#include "engine/analysis/costs/costs.h"
 #include "engine/ops/floating_point.h"
 #include "tool/html/sources.h"
 #include "tool/report/report.h"

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "engine/graph/graph.h"
-#include "tool/html/functions.h"
 
 #include <map>
 #include <optional>
@@ -10,6 +9,12 @@
 #include <vector>
 
 namespace symreal::tool {
+
+// Function of C or C++ source, which the graph lacks, as far as the text tells.
+struct FunctionLines {
+  std::string name; // "dot", "Robot::inverse"
+  unsigned first, last;
+};
 
 struct SourceFile {
   std::string name;

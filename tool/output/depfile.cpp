@@ -6,11 +6,10 @@
 #include "engine/support/mutation/is_dropped.h"
 #include "program/build/cache_directory.h"
 #include "program/build/compile.h"
-#include "program/build/inclusion_lookups.h"
+#include "program/build/compiled_from.h"
 #include "program/build/make_rule.h"
 #include "program/build/read_files.h"
 #include "rewrite/request/driver_options.h"
-#include "tool/configuration/configuration.h"
 
 #include <algorithm>
 #include <filesystem>

@@ -8,7 +8,7 @@
 #pragma once
 
 #include "program/record/front.h"
-#include "tool/options/project_options.h"
+#include "tool/options/source_options.h"
 
 #include <string>
 

@@ -3,58 +3,49 @@
 #include "engine/diagnostics/diagnostic.h"
 #include "engine/emit/emit.h"
 #include "engine/emit/language/banner.h"
+#include "engine/emit/language/emitted.h"
 #include "engine/plan/schedule/angles.h"
-#include "engine/support/diff.h"
 #include "engine/support/files.h"
 #include "engine/support/mutation/is_dropped.h"
 #include "program/build/durable_files.h"
 #include "program/build/read_files.h"
-#include "tool/output/folder.h"
-#include "tool/output/line_map.h"
 
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
 #include <iostream>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
+#include <string>
 #include <unistd.h>
 
 namespace symreal::tool {
+namespace {
 
 namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
 
-Schedule as_emitted(Schedule const &plan, EmitterOptions const &options, FloatingPoint mode,
-                    std::vector<Language const *> const &languages) {
-  bool const any = std::ranges::any_of(languages, [](Language const *one) { return one->angles.is_given(); });
-  return any && options.has_angles(mode) ? with_angles(plan) : plan;
+Json places_json(Location const &location) {
+  Json places = Json::array();
+  for (Place const &place : location.places)
+    places.push_back({{"file", place.file}, {"line", place.line}, {"column", place.column}});
+  return places;
 }
 
-std::vector<OutputFile> emitted_files(Schedule const &plan, EmitterOptions const &options, FloatingPoint mode,
-                                      std::vector<Language const *> const &languages, std::string const &path,
-                                      Rerolled const *loops, Laned const *lanes) {
-  EmitOptions const emit{fs::path(path).stem().string(),
-                         options.prefix,
-                         mode,
-                         options.extras,
-                         options.trace_comments,
-                         options.check_values,
-                         options.is_single(),
-                         options.has_angles(mode),
-                         !options.map_file.empty(),
-                         options.reference};
-  std::vector<OutputFile> files;
-  for (Language const *language : languages)
-    for (EmittedFile &file : symreal::emit(plan, *language, emit, loops, lanes)) {
-      files.push_back({(fs::path(path).parent_path() / file.name).string(), std::move(file.text)});
-      if (!options.map_file.empty() && files.size() == 1)
-        files.push_back({options.map_file, line_map(file, *plan.graph)});
-    }
-  return files;
+// Map from lines of generated code to source lines:
+// {"version": 1, "file": "arm.c", "lines": [{"first": 9, "last": 10, "sources": [[{"file": ..., "line": ..., "column":
+// ...}, ...], ...]}, ...]}. Each source is a list of places: the user's own, then inlined ones.
+std::string line_map(EmittedFile const &file, Graph const &graph) {
+  Json lines = Json::array();
+  for (LineOrigin const &origin : file.origins) {
+    Json sources = Json::array();
+    for (LocationId location : origin.locations) sources.push_back(places_json(graph.locations[location]));
+    lines.push_back({{"first", origin.first_line}, {"last", origin.last_line}, {"sources", std::move(sources)}});
+  }
+  return Json{{"version", 1}, {"file", file.name}, {"lines", std::move(lines)}}.dump(1) + "\n";
 }
-
-namespace {
 
 void require_unread(std::string const &path) {
   std::optional<std::string> const known = program::known_as(path);
@@ -77,6 +68,55 @@ private:
   std::set<std::string> known_;
 };
 
+[[noreturn]] void refuse_folder(std::string const &folder, std::string const &why) {
+  fail(DiagnosticId::unwritable_output, {folder}, "'" + folder + "' " + why + "; it is left as it is");
+}
+
+// Kernel and prefix of a generated file, by its banner.
+struct Origin {
+  std::string kernel, prefix;
+  bool operator==(Origin const &) const = default;
+};
+
+Origin origin_of(std::string const &text) {
+  nlohmann::json const said = nlohmann::json::parse(banner_of(text), nullptr, /*allow_exceptions=*/false);
+  if (!said.is_object()) return {};
+  return {said.value("kernel", ""), said.value("prefix", "")};
+}
+
+// Fails unless the folder is absent, empty, or written by Symreal for the same kernel, as the first line of its first
+// file tells.
+void require_folder(OutputFolder const &folder) {
+  std::string const &path = folder.path;
+  if (fs::exists(path) && !fs::is_directory(path)) refuse_folder(path, "is a file");
+  if (!fs::exists(path)) return require_writable(path);
+  if (access(path.c_str(), W_OK | X_OK) != 0)
+    refuse_folder(path, std::string("cannot be written: ") + std::strerror(errno));
+  if (fs::is_empty(path)) return;
+  OutputFile const &first = folder.files.front();
+  std::string const there = fs::is_regular_file(first.path) ? text_of_file(first.path).value_or("") : "";
+  if (banner_of(there).empty()) refuse_folder(path, "is there already, and was not generated by Symreal");
+  if (origin_of(there) != origin_of(first.text))
+    refuse_folder(path, "is there already, of kernel '" + origin_of(there).kernel + "'");
+}
+
+// Stages the files; a new folder appears with all of them at once.
+void stage_folder(OutputFolder const &folder, program::StagedFiles &staged) {
+  if (fs::exists(folder.path)) {
+    for (OutputFile const &file : folder.files) {
+      staged.make_directory(fs::path(file.path).parent_path());
+      staged.add(file.path, file.text);
+    }
+    return;
+  }
+  fs::path const made = staged.add_directory(folder.path);
+  for (OutputFile const &file : folder.files) {
+    fs::path const path = made / fs::path(file.path).lexically_relative(folder.path);
+    make_directory(path.parent_path());
+    program::write_durably(path, file.text, program::usual_permissions());
+  }
+}
+
 void require_all(Outputs const &outputs) {
   Places places;
   for (OutputFile const &file : outputs.files) {
@@ -96,6 +136,41 @@ void require_all(Outputs const &outputs) {
 }
 
 } // namespace
+
+std::vector<OutputFile> emitted_files(Plan const &plan, EmitterOptions const &options, FloatingPoint mode,
+                                      std::vector<Language const *> const &languages, std::string const &path) {
+  EmitOptions const emit{fs::path(path).stem().string(),
+                         options.prefix,
+                         mode,
+                         options.extras,
+                         options.trace_comments,
+                         options.check_values,
+                         options.is_single(),
+                         options.has_angles(mode),
+                         !options.map_file.empty(),
+                         options.reference};
+  std::vector<OutputFile> files;
+  for (Language const *language : languages)
+    for (EmittedFile &file : symreal::emit(plan, *language, emit)) {
+      files.push_back({(fs::path(path).parent_path() / file.name).string(), std::move(file.text)});
+      if (!options.map_file.empty() && files.size() == 1)
+        files.push_back({options.map_file, line_map(file, plan.graph())});
+    }
+  return files;
+}
+
+bool names_directory(std::string const &path) { return path.ends_with('/') || fs::is_directory(path); }
+
+std::string place_output(std::string const &option, std::string const &name, bool several) {
+  if (option.empty()) return name;
+  return several || names_directory(option) ? (fs::path(option) / fs::path(name).filename()).string() : option;
+}
+
+std::string folder_path(std::string const &given) {
+  fs::path path = fs::path(given).lexically_normal();
+  if (!path.has_filename()) path = path.parent_path();
+  return path.empty() ? "." : path.string();
+}
 
 void require_writable(std::string const &path) {
   require_unread(path);

@@ -1,11 +1,8 @@
 // Output of a run's files: all of them or none, and none replaces a file that the run has read.
 #pragma once
 
-#include "engine/plan/lanes/lanes.h"
-#include "engine/plan/reroll/reroll.h"
-#include "engine/plan/schedule/schedule.h"
-#include "tool/options/language_option.h"
-#include "tool/options/options.h"
+#include "engine/plan/plan.h"
+#include "tool/options/code_options.h"
 
 #include <string>
 #include <vector>
@@ -29,19 +26,21 @@ struct Outputs {
   std::vector<std::string> directories = {}; // created if missing
 };
 
-// The schedule as C and C++ print it, if they are among the languages; loops and vectors are searched in it.
-Schedule as_emitted(Schedule const &plan, EmitterOptions const &options, FloatingPoint mode,
-                    std::vector<Language const *> const &languages);
-
 // Generated code, named after `path`: for each language the source, its header and, on request, the mainline.
-std::vector<OutputFile> emitted_files(Schedule const &plan, EmitterOptions const &options, FloatingPoint mode,
-                                      std::vector<Language const *> const &languages, std::string const &path,
-                                      Rerolled const *loops = nullptr, Laned const *lanes = nullptr);
+std::vector<OutputFile> emitted_files(Plan const &plan, EmitterOptions const &options, FloatingPoint mode,
+                                      std::vector<Language const *> const &languages, std::string const &path);
 
 // Fails if the file cannot be written or was read. Call before the work, lest it be in vain.
 void require_writable(std::string const &path);
 // Checks several paths, which must differ; skips empty ones.
 void require_writable(std::vector<std::string> const &paths);
+
+// Does the path name a directory, by its last character or since there is one?
+bool names_directory(std::string const &path);
+// Path of an output. `name`: its name if the option is missing or names a directory, as it does for several kernels.
+std::string place_output(std::string const &option, std::string const &name, bool several);
+// Path of a folder without a trailing slash.
+std::string folder_path(std::string const &given);
 
 // Creates a missing directory.
 void make_directory(std::string const &path);

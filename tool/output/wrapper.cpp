@@ -3,10 +3,10 @@
 #include "engine/graph/names.h"
 #include "engine/support/files.h"
 #include "engine/support/mutation/is_dropped.h"
-#include "engine/support/quoted.h"
+#include "engine/support/text.h"
 #include "program/wrapper/baked_values.h"
 #include "program/wrapper/wrapper_text.h"
-#include "tool/output/fallback.h"
+#include "rewrite/text/source_text.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -14,6 +14,7 @@
 #include <fmt/ranges.h>
 #include <regex>
 #include <set>
+#include <string>
 
 namespace symreal::tool {
 namespace {
@@ -118,6 +119,47 @@ std::string c_declarations(Graph const &graph, std::string const &prefix) {
                      "{1} {0}compute(double const *, double const *, double *);\n"
                      "#ifdef __cplusplus\n}}\n#endif\n",
                      prefix, graph.guards.empty() ? "void" : "int");
+}
+
+// Fallback of a wrapper to the original, which the user provides under another name, on calls that the generated code
+// does not cover.
+struct Fallback {
+  std::string declaration; // declares the original as `name`
+  std::string statement;   // calls it with the wrapper's arguments and returns
+  std::string way;         // instructions for renaming the original
+};
+
+// Offset of the function's name in its declaration, behind the return type.
+std::size_t name_in(std::string const &declaration, std::string const &name) {
+  std::size_t at = declaration.find(name + "(");
+  while (at != 0 && at != declaration.npos && rewrite::is_word(declaration[at - 1]))
+    at = declaration.find(name + "(", at + 1);
+  return at;
+}
+
+// A plain function is compiled under another name; for any other (in a namespace, a member, overloaded), the symbol in
+// the object file is renamed and called with C linkage.
+Fallback fallback(rewrite::Kernel const &kernel, std::string const &name) {
+  rewrite::Signature const &signature = kernel.signature;
+  Fallback result;
+  std::string call;
+  std::string declaration = signature.declaration;
+  std::size_t const at = name_in(declaration, kernel.name);
+  if (signature.arguments && at != declaration.npos) {
+    declaration.replace(at, kernel.name.size(), name);
+    result.declaration = declaration + ";\n";
+    result.way = fmt::format("compile it with -D{}={}", kernel.name, name);
+    call = fmt::format("{}({})", name, *signature.arguments);
+  } else {
+    rewrite::Redefinition const &in = signature.redefinition;
+    result.declaration = fmt::format("extern \"C\" {} {}({});\n", in.returned, name, in.parameters);
+    result.way = fmt::format("in its object file,\n   objcopy --redefine-sym {}={} OBJECT", in.mangled, name);
+    call = fmt::format("{}({}{}{})", name, in.has_this ? "this" : "", in.has_this && !in.arguments.empty() ? ", " : "",
+                       in.arguments);
+  }
+  result.statement = !signature.returns_value ? fmt::format("{{\n    {};\n    return;\n  }}\n", call)
+                                              : fmt::format("return {};\n", call);
+  return result;
 }
 
 // Statements for calls that the generated code does not cover.

@@ -1,7 +1,7 @@
 #include "tool/output/write_config.h"
 
 #include "engine/support/files.h"
-#include "rewrite/facts/clause.h"
+#include "rewrite/facts/tables.h"
 #include "tool/configuration/yaml.h"
 
 #include <algorithm>

@@ -3,8 +3,8 @@
 #include "engine/emit/language/banner.h"
 #include "engine/graph/graph_text.h"
 #include "engine/support/files.h"
+#include "engine/support/installation.h"
 #include "engine/support/math_library.h"
-#include "engine/support/version.h"
 #include "program/build/durable_files.h"
 
 #include <filesystem>

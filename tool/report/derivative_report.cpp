@@ -2,10 +2,9 @@
 
 #include "engine/graph/names.h"
 #include "engine/support/number.h"
-#include "tool/report/number_list.h"
+#include "tool/report/verification_record.h"
 
 #include <algorithm>
-#include <cmath>
 #include <fmt/format.h>
 #include <fmt/ostream.h>
 #include <nlohmann/json.hpp>
@@ -73,7 +72,20 @@ std::optional<Diagnostic> off_formulas(Result const &result, std::string const &
                               number_list(broken->first_broken->inputs)));
 }
 
+Json sample_json(Sample const &sample) {
+  return {{"inputs", numbers_json(sample.inputs)}, {"parameters", numbers_json(sample.parameters)}};
+}
+
+Sample sample_of(Json const &json) { return {numbers_of(json.at("inputs")), numbers_of(json.at("parameters"))}; }
+
 } // namespace
+
+std::string number_list(std::vector<double> const &values) {
+  constexpr std::size_t most = 16;
+  std::string text;
+  for (std::size_t i = 0; i < values.size() && i < most; ++i) text += (i ? ", " : "") + shortest(values[i]);
+  return values.size() > most ? text + ", ..." : text;
+}
 
 void print_derivatives(std::ostream &out, Result const &result) {
   fmt::print(out, "  {:<28}{:>10}{:>22}{:>12}{:>16}\n", "derivative", "elements", "worst error/allowed", "different",
@@ -90,29 +102,6 @@ void print_derivatives(std::ostream &out, Result const &result) {
   if (result.left_out != 0)
     fmt::print(out, "  derivatives are compared on {} of {} samples, as many as their size allows\n", result.tried,
                result.tried + result.left_out);
-}
-
-static Json number_json(double value) { return std::isfinite(value) ? Json(value) : Json(shortest(value)); }
-
-static double number_of(Json const &json) {
-  return json.is_string() ? parse_number(json.get<std::string>()).value() : json.get<double>();
-}
-
-static Json numbers_json(std::vector<double> const &values) {
-  Json json = Json::array();
-  for (double const value : values) json.push_back(number_json(value));
-  return json;
-}
-
-static Json sample_json(Sample const &sample) {
-  return {{"inputs", numbers_json(sample.inputs)}, {"parameters", numbers_json(sample.parameters)}};
-}
-
-static Sample sample_of(Json const &json) {
-  Sample sample;
-  for (Json const &one : json.at("inputs")) sample.inputs.push_back(number_of(one));
-  for (Json const &one : json.at("parameters")) sample.parameters.push_back(number_of(one));
-  return sample;
 }
 
 Json to_json(Result const &result) {

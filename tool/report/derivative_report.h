@@ -1,14 +1,19 @@
 // Report on the verification of derivatives.
 #pragma once
 
-#include "verify/derivative_verification.h"
+#include "verify/verification.h"
 
 #include <nlohmann/json_fwd.hpp>
 
 #include <optional>
 #include <ostream>
+#include <string>
+#include <vector>
 
 namespace symreal::tool {
+
+// Inputs of a sample for a message: the first 16.
+std::string number_list(std::vector<double> const &values);
 
 void print_derivatives(std::ostream &out, program::DerivativeResult const &result);
 nlohmann::ordered_json to_json(program::DerivativeResult const &result);

@@ -1,34 +1,88 @@
 #include "tool/report/report.h"
 
 #include "engine/emit/language/words.h"
-#include "engine/graph/frozen.h"
+#include "engine/graph/graph.h"
 #include "engine/graph/statistics.h"
 #include "engine/support/number.h"
-#include "tool/report/source_lines.h"
 
 #include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>
 #include <fmt/ostream.h>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
+#include <ostream>
+#include <vector>
 
 namespace symreal::tool {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
+// Operations of a source line: where a kernel's work originates.
+struct LineCount {
+  Place place; // column 0
+  std::size_t recorded = 0, generated = 0;
+};
+
+// Counts by line, most generated operations first. Empty if the graph has no places.
+std::vector<LineCount> operations_by_line(RecordedCounts const &recorded, Graph const &optimised) {
+  std::map<std::pair<std::string, unsigned>, LineCount> lines;
+  std::vector<std::size_t> const generated = operations_by_location(optimised, true);
+  for (std::size_t location = 0; location < optimised.locations.size(); ++location) {
+    std::vector<Place> const &places = optimised.locations[location].places;
+    std::size_t const before = recorded.by_location[location];
+    if (places.empty() || (before == 0 && generated[location] == 0)) continue;
+    LineCount &line = lines[{places.front().file, places.front().line}];
+    line.recorded += before;
+    line.generated += generated[location];
+  }
+  std::vector<LineCount> result;
+  for (auto &[line, counts] : lines)
+    result.push_back({{line.first, line.second, 0}, counts.recorded, counts.generated});
+  std::stable_sort(result.begin(), result.end(),
+                   [](LineCount const &a, LineCount const &b) { return a.generated > b.generated; });
+  return result;
+}
+
+void print_lines(std::ostream &out, std::vector<LineCount> const &lines) {
+  if (lines.empty()) return;
+  constexpr std::size_t most = 20;
+  fmt::print(out, "  operations by source line (recorded, generated)\n");
+  std::size_t recorded = 0, generated = 0;
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    if (i < most)
+      fmt::print(out, "    {:>12}{:>12}  {}:{}\n", lines[i].recorded, lines[i].generated, lines[i].place.file,
+                 lines[i].place.line);
+    else
+      recorded += lines[i].recorded, generated += lines[i].generated;
+  if (lines.size() > most)
+    fmt::print(out, "    {:>12}{:>12}  on {} further lines\n", recorded, generated, lines.size() - most);
+}
+
+Json to_json(std::vector<LineCount> const &lines) {
+  Json json = Json::array();
+  for (LineCount const &line : lines)
+    json.push_back({{"file", line.place.file},
+                    {"line", line.place.line},
+                    {"recorded", line.recorded},
+                    {"generated", line.generated}});
+  return json;
+}
+
 struct Column {
-  std::string name, meaning;
+  std::string name;
   OperationCounts counts;
 };
 
 std::vector<Column> columns(KernelReport const &report) {
   Statistics const after = statistics(*report.graph);
-  std::vector<Column> all = {{"executed", "by the program", report.graph->executed},
-                             {"recorded", "distinct", report.recorded.operations},
-                             {"compute", "generated", after.compute},
-                             {"preprocess", "generated", after.preprocess}};
-  if (report.looped) all.push_back({"with loops", "generated", *report.looped});
+  std::vector<Column> all = {{"executed", report.graph->executed},
+                             {"recorded", report.recorded.operations},
+                             {"compute", after.compute},
+                             {"preprocess", after.preprocess}};
+  if (report.looped) all.push_back({"with loops", *report.looped});
   return all;
 }
 

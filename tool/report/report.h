@@ -2,7 +2,6 @@
 #pragma once
 
 #include "engine/graph/graph.h"
-#include "engine/graph/operation_counts.h"
 #include "program/record/explore.h"
 
 #include <nlohmann/json_fwd.hpp>

@@ -1,11 +1,8 @@
 // Conversion of verification records to JSON and back. Numbers that JSON lacks are strings: "nan", "inf", "-inf".
 #include "engine/graph/extended.h"
 #include "engine/graph/names.h"
-#include "engine/support/files.h"
 #include "engine/support/number.h"
 #include "tool/report/derivative_report.h"
-#include "tool/report/error_report.h"
-#include "tool/report/thread_report.h"
 #include "tool/report/verification_record.h"
 
 #include <algorithm>
@@ -16,27 +13,6 @@ namespace symreal::tool {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json number_json(double value) { return std::isfinite(value) ? Json(value) : Json(shortest(value)); }
-
-double number_of(Json const &json) {
-  if (!json.is_string()) return json.get<double>();
-  std::optional<double> const value = parse_number(json.get<std::string>());
-  if (!value) throw std::invalid_argument("no number");
-  return *value;
-}
-
-Json numbers_json(std::vector<double> const &values) {
-  Json json = Json::array();
-  for (double value : values) json.push_back(number_json(value));
-  return json;
-}
-
-std::vector<double> numbers_of(Json const &json) {
-  std::vector<double> values;
-  for (Json const &one : json) values.push_back(number_of(one));
-  return values;
-}
 
 Json members_json(std::vector<Member> const &members) {
   Json json = Json::array();
@@ -253,6 +229,69 @@ program::BranchResult branches_of(Json const &json) {
   return result;
 }
 
+Json to_json(program::ThreadResult const &result) {
+  Json json = {{"threads", result.threads}, {"different", result.different}};
+  if (result.times)
+    json["nanoseconds"] = {{"alone", result.times->alone},
+                           {"together", result.times->together},
+                           {"times_as_fast", {result.times->low, result.times->gain, result.times->high}}};
+  return json;
+}
+
+Json to_json(program::ErrorResult const &result) {
+  Json json = {{"bits", result.bits}};
+  if (!result.obstacle.empty()) json["obstacle"] = result.obstacle;
+  json.update({{"samples", result.samples},
+               {"untold", result.untold},
+               {"left_out", result.left_out},
+               {"outputs", Json::array()}});
+  for (program::ErrorsOfOutput const &output : result.outputs)
+    json["outputs"].push_back({{"original", output.original},
+                               {"generated", output.generated},
+                               {"original_nearer", output.original_nearer},
+                               {"generated_nearer", output.generated_nearer},
+                               {"sample", output.worst_sample}});
+  return json;
+}
+
+// Reads the result. Throws what nlohmann::json throws for a member that is missing or of another type.
+program::ErrorResult errors_of(Json const &json, std::size_t outputs) {
+  program::ErrorResult result{.bits = json.at("bits"),
+                              .obstacle = json.value("obstacle", ""),
+                              .samples = json.at("samples"),
+                              .untold = json.at("untold"),
+                              .left_out = json.at("left_out"),
+                              .outputs = {}};
+  for (Json const &one : json.at("outputs"))
+    result.outputs.push_back({one.at("original"), one.at("generated"), one.at("original_nearer"),
+                              one.at("generated_nearer"), one.at("sample")});
+  if (result.outputs.size() != outputs) throw std::invalid_argument("outputs without objects");
+  return result;
+}
+
+} // namespace
+
+Json number_json(double value) { return std::isfinite(value) ? Json(value) : Json(shortest(value)); }
+
+double number_of(Json const &json) {
+  if (!json.is_string()) return json.get<double>();
+  std::optional<double> const value = parse_number(json.get<std::string>());
+  if (!value) throw std::invalid_argument("no number");
+  return *value;
+}
+
+Json numbers_json(std::vector<double> const &values) {
+  Json json = Json::array();
+  for (double value : values) json.push_back(number_json(value));
+  return json;
+}
+
+std::vector<double> numbers_of(Json const &json) {
+  std::vector<double> values;
+  for (Json const &one : json) values.push_back(number_of(one));
+  return values;
+}
+
 VerificationRecord record_of(Json const &json) {
   VerificationRecord record;
   record.graph.kernel = json.at("kernel");
@@ -323,18 +362,6 @@ VerificationRecord record_of(Json const &json) {
   return record;
 }
 
-[[noreturn]] void refuse(std::string const &path, std::string const &why) {
-  fail(DiagnosticId::verification_file, {path}, why);
-}
-
-Json parse_file(std::string const &path) {
-  Json json = Json::parse(read_file(path), nullptr, /*allow_exceptions=*/false);
-  if (!json.is_object()) refuse(path, "this file is not what verify --json prints");
-  return json;
-}
-
-} // namespace
-
 Json to_json(VerificationRecord const &record) {
   program::Verification const &verification = record.verification;
   Json json = {{"kernel", record.graph.kernel},
@@ -394,40 +421,6 @@ Json to_json(VerificationRecord const &record) {
     json["named"].push_back(
         {{"sample", number}, {"inputs", numbers_json(sample.inputs)}, {"parameters", numbers_json(sample.parameters)}});
   return json;
-}
-
-std::vector<VerificationRecord> read_records(std::string const &path) {
-  Json const json = parse_file(path);
-  std::vector<VerificationRecord> records;
-  try {
-    for (Json const &one : json.contains("kernels") ? json["kernels"] : Json::array({json}))
-      records.push_back(record_of(one));
-  } catch (std::exception const &) {
-    refuse(path, "this file is not what verify --json prints");
-  }
-  return records;
-}
-
-std::vector<Sample> read_samples(std::string const &path, Graph const &graph) {
-  Json const json = parse_file(path);
-  std::vector<Sample> samples;
-  try {
-    for (Json const &one : json.contains("kernels") ? json["kernels"] : Json::array({json})) {
-      if (one.contains("kernel") && one["kernel"] != graph.kernel) continue;
-      for (Json const &named : one.contains("named") ? one["named"] : Json::array({one}))
-        samples.push_back({numbers_of(named.at("inputs")), numbers_of(named.value("parameters", Json::array()))});
-    }
-  } catch (std::exception const &) {
-    refuse(path, "this file has no samples: it is neither what verify --json prints nor {\"inputs\": [...]}");
-  }
-  for (Sample const &sample : samples)
-    if (sample.inputs.size() != graph.input_count() || sample.parameters.size() != graph.parameter_count())
-      refuse(path, "kernel '" + graph.kernel + "' has " + std::to_string(graph.input_count()) + " inputs and " +
-                       std::to_string(graph.parameter_count()) + " parameters, a sample in this file has " +
-                       std::to_string(sample.inputs.size()) + " and " + std::to_string(sample.parameters.size()));
-  if (samples.empty())
-    refuse(path, "this file has no samples of kernel '" + graph.kernel + "': all outputs are equal in it");
-  return samples;
 }
 
 } // namespace symreal::tool

@@ -1,18 +1,20 @@
 #include "tool/report/verify_report.h"
 
 #include "engine/graph/extended.h"
+#include "engine/graph/graph.h"
 #include "engine/graph/names.h"
 #include "engine/support/number.h"
 #include "tool/report/derivative_report.h"
-#include "tool/report/error_report.h"
-#include "tool/report/number_list.h"
-#include "tool/report/thread_report.h"
+#include "verify/exact_errors.h"
+#include "verify/verification.h"
 
 #include <algorithm>
 #include <fmt/format.h>
 #include <fmt/ostream.h>
 #include <limits>
 #include <numeric>
+#include <optional>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -239,6 +241,56 @@ std::string guard_difference(program::Verification const &verification) {
 std::size_t wanted_samples(program::Verification const &verification, program::VerificationOptions const &options) {
   bool const is_whole = options.shard.count == 1 && options.replayed.empty();
   return is_whole ? std::min({options.min_samples, options.samples, verification.tried}) : 0;
+}
+
+// Prints the errors of the original and of the generated code against exact values.
+void print_errors(std::ostream &out, Graph const &graph, program::ErrorResult const &result) {
+  fmt::print(out, "  exact values, in {} bits: ", result.bits);
+  if (!result.obstacle.empty()) return fmt::print(out, "there are none: {}\n", result.obstacle);
+  fmt::print(
+      out, "{} sample{}{}{}\n", result.samples, result.samples == 1 ? "" : "s",
+      result.untold == 0
+          ? ""
+          : fmt::format("; {} more, where a decision falls otherwise in them or a value is not finite", result.untold),
+      result.left_out == 0 ? "" : fmt::format("; {} more were left out, for the time they take", result.left_out));
+  if (result.samples == 0) return;
+  fmt::print(out, "    {:<26}{:>22}{:>20}{:>36}\n", "error of", "the original, at most", "the code, at most",
+             "nearer on: the original, the code");
+  std::vector<std::string> const names = identifiers(graph.outputs);
+  for (std::size_t i = 0; i < graph.outputs.size(); ++i) {
+    Object const &object = graph.outputs[i];
+    if (object.count == 0) continue;
+    auto const first = result.outputs.begin() + object.first;
+    auto const worst = std::max_element(first, first + object.count, [](auto const &one, auto const &other) {
+      return std::max(one.original, one.generated) < std::max(other.original, other.generated);
+    });
+    fmt::print(out, "    {:<26}{:>22.1e}{:>20.1e}{:>36}\n",
+               element_name(names[i], object, static_cast<std::uint32_t>(worst - first)), worst->original,
+               worst->generated, fmt::format("{}, {}", worst->original_nearer, worst->generated_nearer));
+  }
+}
+
+void print_threads(std::ostream &out, program::ThreadResult const &result) {
+  fmt::print(out, "  {} threads share an evaluation, and one computes the same numbers on {}", result.threads,
+             result.different == 0 ? "all samples" : fmt::format("all samples but {}", result.different));
+  if (!result.times) {
+    fmt::print(out, "; not timed\n");
+    return;
+  }
+  program::ThreadTimes const &times = *result.times;
+  fmt::print(
+      out,
+      "\n  it takes {:.3g} us in place of {:.3g} us: {:.2f} times as fast ({:.2f} to {:.2f}, quartiles of {} turns)\n",
+      times.together / 1e3, times.alone / 1e3, times.gain, times.low, times.high, times.turns);
+}
+
+// Diagnostic if threads that share an evaluation compute other numbers than one.
+std::optional<Diagnostic> thread_failure(program::Verification const &verification, std::string const &file) {
+  if (!verification.threads || verification.threads->different == 0) return {};
+  return Diagnostic{DiagnosticId::verification_mismatch,
+                    {file},
+                    fmt::format("on {} samples {} threads compute other numbers than one",
+                                verification.threads->different, verification.threads->threads)};
 }
 
 void print_comparisons(std::ostream &out, Graph const &graph, program::Verification const &verification) {

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "engine/analysis/costs/thread_costs.h"
-#include "engine/analysis/tasks/operation_tasks.h"
-#include "engine/ops/cost_model.h"
+#include "engine/analysis/tasks/task_graph.h"
+#include "engine/ops/operation.h"
 
 #include <array>
 #include <string>

@@ -16,7 +16,7 @@ struct Goal {
 
 struct LengthBound {
   std::uint32_t units;
-  Time simple, by_levels; // level_bounds.h
+  Time simple, by_levels; // LevelBounds
 };
 
 // An operation of nonzero cost on the critical path.

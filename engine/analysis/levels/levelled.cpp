@@ -80,8 +80,7 @@ private:
 
 Levelled finished(TaskGraph const &graph, std::vector<Time> start) {
   Levelled result{std::move(start)};
-  for (TaskId task = 0; task < graph.size(); ++task)
-    result.length = std::max(result.length, result.start[task] + graph.duration[task]);
+  result.length = length(graph, result.start);
   result.peak = peak(profile(graph, result.start, result.length));
   return result;
 }

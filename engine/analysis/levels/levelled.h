@@ -5,7 +5,7 @@
 // time.
 #pragma once
 
-#include "engine/analysis/levels/level_bounds.h"
+#include "engine/analysis/levels/levels.h"
 
 namespace symreal {
 

@@ -3,7 +3,29 @@
 #include <algorithm>
 
 namespace symreal {
+
 namespace {
+
+std::vector<Time> heads(Network const &network, Units const &units) {
+  if (network.size() > most_tasks_with_ancestors) return longest_paths(network);
+  Ancestors const ancestors(network);
+  std::vector<Time> head(network.size());
+  std::vector<TaskId> done; // descending by head
+  for_each_in_order(network, [&](TaskId task) {
+    for (TaskId before : network.before.of(task))
+      head[task] = std::max(head[task], head[before] + network.duration[before]);
+    std::vector<Time> work(units.count.size()); // per kind: of ancestors with at least the current head
+    for (TaskId other : done) {
+      if (!ancestors.has(task, other)) continue;
+      std::size_t const kind = network.kind[other];
+      work[kind] += network.duration[other];
+      head[task] = std::max(head[task], head[other] + shared(work[kind], units.count[kind]));
+    }
+    done.insert(std::ranges::upper_bound(done, head[task], std::greater<>(), [&](TaskId other) { return head[other]; }),
+                task);
+  });
+  return head;
+}
 
 // Interval bound for one kind of unit, over intervals from time a to c before the end. In them a task with head h,
 // duration d and tail t spends at least min(d, h + d - a, t + d - c, L - a - c), where L is the length. As c falls from
@@ -67,6 +89,10 @@ private:
 };
 
 } // namespace
+
+Windows windows(Network const &network, Units const &units) {
+  return {heads(network, units), heads(reversed(network), units)};
+}
 
 Time Bounds::best() const { return std::max({critical_path, work, interval}); }
 

@@ -1,18 +1,60 @@
 #include "engine/analysis/scheduling/exact.h"
 
-#include "engine/analysis/scheduling/seen_states.h"
-#include "engine/analysis/scheduling/task_sets.h"
+#include "engine/analysis/scheduling/search_states.h"
 
 #include <algorithm>
 #include <array>
+#include <numeric>
+#include <tuple>
 
 namespace symreal {
+
 namespace {
 
-class Search {
+// Static data of the search.
+struct TaskSets {
+  TaskSet all, instants;          // instants have zero duration
+  std::vector<TaskSet> before;    // per task: its predecessors
+  std::vector<TaskSet> first;     // tasks that must not be ready and unstarted when it begins
+  std::vector<TaskSet> longer;    // tasks that could change places with it if ready when it begins
+  std::vector<TaskId> by_tail;    // descending by tail
+  std::vector<TaskId> by_urgency; // branching order; tasks in `first` precede
+};
+
+// Records dominance between two tasks of one kind if all successors of b are successors of a.
+void compare(TaskSets &sets, Network const &network, std::vector<TaskSet> const &after, TaskId a, TaskId b) {
+  if (a == b || network.kind[a] != network.kind[b] || (after[a] & after[b]) != after[b]) return;
+  if (network.duration[a] == network.duration[b] && (after[a] != after[b] || a < b)) sets.first[b] |= set_of(a);
+  if (network.duration[a] > network.duration[b]) sets.longer[b] |= set_of(a);
+}
+
+TaskSets task_sets(Network const &network, std::vector<Time> const &tail) {
+  std::size_t const count = network.size();
+  TaskSets sets{count == 0 ? 0 : ~TaskSet{0} >> (64 - count), 0, {}, {}, {}, std::vector<TaskId>(count), {}};
+  std::vector<TaskSet> after(count);
+  sets.before.resize(count);
+  sets.first.resize(count);
+  sets.longer.resize(count);
+  for (TaskId task = 0; task < count; ++task) {
+    if (network.duration[task] == 0) sets.instants |= set_of(task);
+    for (TaskId other : network.after.of(task)) after[task] |= set_of(other);
+    for (TaskId other : network.before.of(task)) sets.before[task] |= set_of(other);
+  }
+  for (TaskId a = 0; a < count; ++a)
+    for (TaskId b = 0; b < count; ++b) compare(sets, network, after, a, b);
+  std::iota(sets.by_tail.begin(), sets.by_tail.end(), TaskId{0});
+  sets.by_urgency = sets.by_tail;
+  std::ranges::sort(sets.by_tail, {}, [&](TaskId task) { return std::pair(-tail[task], task); });
+  std::ranges::sort(sets.by_urgency, {}, [&](TaskId task) {
+    return std::tuple(-tail[task] - network.duration[task], -std::popcount(after[task]), task);
+  });
+  return sets;
+}
+
+class StartTimeSearch {
 public:
-  Search(Network const &network, Units const &units, Windows const &windows, Time below, Time enough,
-         std::uint64_t most_nodes)
+  StartTimeSearch(Network const &network, Units const &units, Windows const &windows, Time below, Time enough,
+                  std::uint64_t most_nodes)
       : network_(network),
         units_(units),
         tail_(windows.tail),
@@ -170,7 +212,7 @@ private:
 
 ExactResult search_exactly(Network const &network, Units const &units, Windows const &windows, Time below, Time enough,
                            std::uint64_t most_nodes) {
-  return Search(network, units, windows, below, enough, most_nodes).run();
+  return StartTimeSearch(network, units, windows, below, enough, most_nodes).run();
 }
 
 } // namespace symreal

@@ -13,7 +13,7 @@
 // in which tasks with more successors, then those of smaller id, begin earlier. Each rule leads to a smaller one.
 #pragma once
 
-#include "engine/analysis/scheduling/windows.h"
+#include "engine/analysis/scheduling/bounds.h"
 
 namespace symreal {
 

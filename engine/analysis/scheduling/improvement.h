@@ -1,10 +1,9 @@
 // Iterative improvement of timetables without communication.
 #pragma once
 
-#include "engine/analysis/scheduling/insertion_scheduler.h"
+#include "engine/analysis/scheduling/bounds.h"
 #include "engine/analysis/scheduling/list_scheduler.h"
 #include "engine/analysis/scheduling/random.h"
-#include "engine/analysis/scheduling/windows.h"
 
 namespace symreal {
 

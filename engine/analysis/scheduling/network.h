@@ -4,6 +4,8 @@
 
 #include "engine/analysis/tasks/task_graph.h"
 
+#include <bit>
+
 namespace symreal {
 
 struct Network {
@@ -26,5 +28,39 @@ template <class Visit> void for_each_in_order(Network const &network, Visit visi
 
 // Per task, the longest path to its begin: its start with unlimited units.
 std::vector<Time> longest_paths(Network const &network);
+
+inline constexpr std::size_t most_tasks_with_ancestors = 8192; // 8 MiB
+// Ancestor sets of tasks as bit rows. Quadratic in the number of tasks, hence the limit.
+class Ancestors {
+public:
+  explicit Ancestors(Network const &network) : words_((network.size() + 63) / 64), bits_(words_ * network.size()) {
+    for_each_in_order(network, [&](TaskId task) {
+      for (TaskId before : network.before.of(task)) {
+        for (std::size_t i = 0; i < words_; ++i) bits_[task * words_ + i] |= bits_[before * words_ + i];
+        bits_[task * words_ + before / 64] |= std::uint64_t{1} << before % 64;
+      }
+    });
+  }
+
+  bool has(TaskId task, TaskId other) const { return bits_[task * words_ + other / 64] >> other % 64 & 1; }
+  std::size_t count(TaskId task) const {
+    std::size_t result = 0;
+    for (std::size_t i = 0; i < words_; ++i)
+      result += static_cast<std::size_t>(std::popcount(bits_[task * words_ + i]));
+    return result;
+  }
+
+private:
+  std::size_t words_;
+  std::vector<std::uint64_t> bits_;
+};
+
+// Decomposition of a graph into a chain of parts: all tasks of a part must end before any of the next begins. So parts
+// can be scheduled separately, and their shortest timetables concatenate to one of the graph. Yields the tasks of each
+// part, ascending. A single part for very many tasks.
+std::vector<std::vector<TaskId>> chain_of_parts(Network const &network);
+
+// Subgraph of a part, with its internal dependencies. Ids are indices into `part`.
+TaskGraph part_graph(TaskGraph const &graph, std::vector<TaskId> const &part);
 
 } // namespace symreal

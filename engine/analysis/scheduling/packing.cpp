@@ -10,9 +10,9 @@ namespace {
 
 using Set = std::uint64_t;
 
-class Search {
+class PackingSearch {
 public:
-  Search(std::vector<Time> const &duration, unsigned units, Time capacity, std::uint64_t most_nodes)
+  PackingSearch(std::vector<Time> const &duration, unsigned units, Time capacity, std::uint64_t most_nodes)
       : capacity_(capacity),
         units_(units),
         nodes_left_(most_nodes),
@@ -85,7 +85,7 @@ std::vector<Time> distinct(std::vector<Time> times) {
 } // namespace
 
 Packing pack(std::vector<Time> const &duration, unsigned units, Time capacity, std::uint64_t most_nodes) {
-  return Search(duration, units, capacity, most_nodes).run();
+  return PackingSearch(duration, units, capacity, most_nodes).run();
 }
 
 Time packing_bound(Network const &network, Units const &units, Windows const &windows, Time length, Time enough) {

@@ -2,7 +2,7 @@
 // long tasks on many units.
 #pragma once
 
-#include "engine/analysis/scheduling/windows.h"
+#include "engine/analysis/scheduling/bounds.h"
 
 namespace symreal {
 

@@ -42,12 +42,6 @@ unsigned Units::first_of(std::size_t kind) const {
   return std::accumulate(count.begin(), count.begin() + static_cast<std::ptrdiff_t>(kind), 0u);
 }
 
-Time length(TaskGraph const &graph, std::vector<Time> const &start) {
-  Time end = 0;
-  for (TaskId task = 0; task < graph.size(); ++task) end = std::max(end, start[task] + graph.duration[task]);
-  return end;
-}
-
 Timetable assign_units(TaskGraph const &graph, Units const &units, std::vector<Time> const &start) {
   struct FreeUnit {
     Time from;
@@ -72,10 +66,10 @@ Timetable assign_units(TaskGraph const &graph, Units const &units, std::vector<T
 }
 
 std::vector<char> dummies(TaskGraph const &graph) {
-  std::vector<char> has_successor(graph.size()), result(graph.size());
-  for (TaskId before : graph.predecessor) has_successor[before] = 1;
+  Successors const next = successors(graph);
+  std::vector<char> result(graph.size());
   for (TaskId task = 0; task < graph.size(); ++task)
-    result[task] = graph.duration[task] == 0 && (graph.predecessors(task).empty() || !has_successor[task]);
+    result[task] = graph.duration[task] == 0 && (graph.predecessors(task).empty() || next.of(task).empty());
   return result;
 }
 

@@ -22,9 +22,6 @@ struct Timetable {
   std::vector<std::uint32_t> unit;
 };
 
-// End of the last task.
-Time length(TaskGraph const &graph, std::vector<Time> const &start);
-
 // Assigns units to tasks that never exceed the units of their kind. Ignores communication.
 Timetable assign_units(TaskGraph const &graph, Units const &units, std::vector<Time> const &start);
 

@@ -5,10 +5,27 @@
 // A stage ends with a barrier; values from another share come from an earlier stage.
 #pragma once
 
-#include "engine/analysis/sharing/statements.h"
-#include "engine/plan/schedule/parts.h"
+#include "engine/analysis/costs/costs.h"
+#include "engine/plan/schedule/schedule.h"
 
 namespace symreal {
+
+// Statements of function `compute` as tasks. Durations are hundredths of the costs' unit. A statement's duration is the
+// throughput of its operations; its latency is that of its longest path.
+struct StatementTasks {
+  static constexpr Time scale = 100;
+
+  TaskGraph tasks;
+  std::vector<Time> latency;
+  std::vector<char> is_result; // an output or check reads it at the end
+};
+StatementTasks statement_tasks(Schedule const &plan, Costs const &costs);
+
+// Slicing of statements: within a slice of time, unconnected statements go to different threads. Finds cut points by
+// dynamic programming over a topological order; `meeting` is the overhead of a shared slice. A slice that does not pay
+// for it runs on one thread; consecutive slices of this kind merge.
+std::vector<Share> sliced(StatementTasks const &statements, std::vector<TaskId> const &order, unsigned threads,
+                          Time meeting);
 
 // Estimates in nanoseconds. They exclude loads, stores and cache misses, on one thread and on several.
 struct Sharing {

@@ -1,6 +1,9 @@
-// Task graph: a weighted directed acyclic graph in compressed sparse rows.
+// Task graph: a weighted directed acyclic graph in compressed sparse rows, and that of the operations of a graph.
 #pragma once
 
+#include "engine/graph/graph.h"
+
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -10,6 +13,9 @@ namespace symreal {
 
 using TaskId = std::uint32_t;
 using Time = std::int64_t; // in the graph's unit: operations, table weights or tenths of a nanosecond
+
+// Root of the task's set in a union-find forest. Halves the path to it.
+TaskId root(std::vector<TaskId> &parent, TaskId task);
 
 // Time of `work` shared evenly by `units`, rounded up.
 inline Time shared(Time work, Time units) { return (work + units - 1) / units; }
@@ -38,5 +44,24 @@ struct Successors {
   }
 };
 Successors successors(TaskGraph const &graph);
+
+// End of the last task.
+Time length(TaskGraph const &graph, std::vector<Time> const &start);
+
+// Cost of each operation, indexed by Op. Leaves cost 0.
+using OperationCosts = std::array<Time, static_cast<std::size_t>(Op::count)>;
+
+// 1 for each operation, 0 for those that are free in the cost table: changes of sign, argument lists.
+OperationCosts unit_costs();
+// Column `cost` of the operation table.
+OperationCosts table_costs();
+
+// Operations of function `compute`: the live operations that depend on an input or that it recomputes, or all live ones
+// if the graph has no `preprocess`. Stored values, constants, inputs and parameters exist from the start.
+struct OperationTasks {
+  TaskGraph tasks;
+  std::vector<NodeId> node; // per task, ascending
+};
+OperationTasks operation_tasks(Graph const &graph, OperationCosts const &costs);
 
 } // namespace symreal

@@ -1,8 +1,7 @@
-#include "engine/emit/c/externals.h"
-
-#include "engine/graph/complex_function.h"
+#include "engine/emit/c/parts.h"
+#include "engine/graph/external.h"
+#include "engine/graph/graph.h"
 #include "engine/graph/implicit.h"
-#include "engine/graph/opaque.h"
 
 #include <fmt/format.h>
 #include <set>

@@ -10,12 +10,12 @@ namespace symreal {
 
 namespace {
 
-struct Function {
+struct IntegerFunction {
   std::string_view type, name, parameters, body;
 };
 
 constexpr std::array functions = {
-#define INTEGER_FUNCTION(type, name, parameters, ...) Function{#type, #name, #parameters, #__VA_ARGS__},
+#define INTEGER_FUNCTION(type, name, parameters, ...) IntegerFunction{#type, #name, #parameters, #__VA_ARGS__},
 #include <symreal/integer_functions.def>
 #undef INTEGER_FUNCTION
 };
@@ -60,7 +60,7 @@ std::string in_single(std::string_view text) {
 }
 
 // Definition of the function, one statement per line.
-std::string text_of(Function const &function) {
+std::string text_of(IntegerFunction const &function) {
   std::string text = fmt::format("static {} {}{} {{\n", function.type, function.name, function.parameters);
   std::string_view body = function.body;
   while (!body.empty()) {

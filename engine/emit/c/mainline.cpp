@@ -1,7 +1,7 @@
 #include "engine/emit/c/parts.h"
-#include "engine/emit/print/recorded.h"
-#include "engine/emit/print/source.h"
-#include "engine/support/quoted.h"
+#include "engine/emit/print/banner.h"
+#include "engine/emit/print/module.h"
+#include "engine/support/text.h"
 
 #include <algorithm>
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 // MEX gateway to generated C for MATLAB and Octave, in their common interface (mxGetPr, real doubles).
 #include "engine/emit/c/parts.h"
+#include "engine/emit/print/banner.h"
 #include "engine/emit/print/module.h"
-#include "engine/emit/print/source.h"
 
 namespace symreal {
 

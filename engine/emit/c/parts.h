@@ -6,6 +6,8 @@
 namespace symreal {
 
 std::string c_begin(Emission const &emission);
+// Includes, pragmas and definitions before the functions.
+std::string c_preamble(Emission const &emission);
 std::string c_header(Emission const &emission);
 std::string c_mainline(Emission const &emission);
 
@@ -29,25 +31,36 @@ std::string c_guard_text(Emission const &emission);
 // Code after the kernel's functions.
 std::string c_end(Emission const &emission);
 
-// Index lists of matrices of derivatives: the declarations for C's header, the definitions for C's source, and those
-// for C++'s header.
+// Declarations of the external functions that the kernel calls. Parameters are declared as the doubles that they
+// consist of, by which a program passes structs and arrays of doubles.
+std::string c_external_declarations(Emission const &emission);
+
+std::vector<std::string> c_call(ExternalCall const &call);
+
+// A C file with a wrapper per external function, with flat arrays of arguments and results:
+//   void symreal_call_<number>(double const *argument, double *result);
+std::string c_external_calls(Graph const &graph);
+
+// Annotated objects: offsets in the array of their role, and members of a struct of doubles.
+struct ObjectTexts {
+  std::string indices; // enumerators, one per line; empty if the role has no elements
+  std::string members;
+};
+
+ObjectTexts c_objects(Emission const &emission, std::string const &role, std::vector<Object> const &objects);
+
+// The include guard's macro.
+std::string include_guard(Emission const &emission, std::string const &suffix);
+
+// Number of guards and declaration of the function that returns their texts, in headers; empty without guards.
+std::string c_guard_list(Emission const &emission);
+
+// Index lists of matrices of derivatives, in headers (C declares them, C++ defines them), and their
+// definitions in C's source.
 std::string c_matrices(Emission const &emission);
 std::string c_matrix_lists(Emission const &emission);
-std::string cpp_matrices(Emission const &emission);
 
-// Function that reports values that are not finite, if they are checked.
-std::string c_value_checks(Emission const &emission);
-
-// Pragmas that forbid fusion under any compiler flags; empty in mode fast.
-std::string c_no_fusion(Emission const &emission);
-std::string c_quiet_pragmas(Emission const &emission);
-// Declarations of sine and cosine as pure functions, if the kernel has both of one angle.
-std::string c_sine_and_cosine(Emission const &emission);
 // Function that computes sines and cosines in one vectorisable loop.
 std::string c_sines_and_cosines(Emission const &emission);
-// Vector type, and functions that load and store vectors, if there are vectors.
-std::string c_vectors(Emission const &emission);
-// Macro for functions that compilers must not inline, if there are such.
-std::string c_apart(Emission const &emission);
 
 } // namespace symreal

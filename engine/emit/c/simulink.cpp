@@ -1,7 +1,7 @@
 // Simulink block for generated C: a level-2 S-function.
 #include "engine/emit/c/parts.h"
+#include "engine/emit/print/banner.h"
 #include "engine/emit/print/module.h"
-#include "engine/emit/print/source.h"
 #include "engine/graph/names.h"
 
 #include <fmt/format.h>

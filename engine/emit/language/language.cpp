@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <iterator>
 
 namespace symreal {
 
@@ -37,14 +36,14 @@ static std::optional<std::string_view> find_word(Language const &language, std::
 std::string fill(Language const &language, std::string_view pattern,
                  std::initializer_list<std::pair<std::string_view, std::string_view>> values) {
   return fill_places(pattern, [&](std::string_view name) -> std::optional<std::string_view> {
-    if (auto const value = find_place(std::span(values.begin(), values.size()), name)) return value;
+    for (auto const &[given, value] : values)
+      if (given == name) return value;
     return find_word(language, name);
   });
 }
 
 std::string with_words(Language const &language, std::string_view pattern) {
   std::string text;
-  auto const words = words_of(language);
   auto const is_letter = [](unsigned char c) { return std::isalpha(c) || c == '_'; };
   while (true) {
     std::size_t const dollar = std::min(pattern.find('$'), pattern.size());
@@ -52,13 +51,9 @@ std::string with_words(Language const &language, std::string_view pattern) {
     if (dollar == pattern.size()) return text;
     pattern.remove_prefix(dollar + 1);
     auto const length = static_cast<std::size_t>(std::ranges::find_if_not(pattern, is_letter) - pattern.begin());
-    auto const word = std::ranges::find(words, pattern.substr(0, length), [](auto const &pair) { return pair.first; });
-    if (word == words.end()) {
-      text += '$';
-      continue;
-    }
-    text += word->second;
-    pattern.remove_prefix(length);
+    std::optional<std::string_view> const word = find_word(language, pattern.substr(0, length));
+    text += word.value_or("$");
+    if (word) pattern.remove_prefix(length);
   }
 }
 

@@ -6,11 +6,13 @@
 //
 // All patterns, including spellings and helpers, also have $real, the name of the real type, $suffix, the suffix of a
 // number without an exponent, and the language's own words.
+//
+// Patterns of modules and bridges have names in three cases: $a_name, $AName and $A_NAME. They all have $module (the
+// prefix, or the kernel), $base (the file name without extension), the interface names $preprocess, $compute,
+// $guard_text, $input_count, $parameter_count, $constant_count, $output_count, $guard_count, and the counts $inputs,
+// $parameters, $constants, $outputs and $guards.
 #pragma once
 
-#include "engine/emit/language/bridge.h"
-#include "engine/emit/language/module.h"
-#include "engine/emit/language/numbers.h"
 #include "engine/emit/language/pattern.h"
 #include "engine/graph/graph.h"
 #include "engine/graph/names.h"
@@ -25,6 +27,35 @@ namespace symreal {
 struct Emission; // print/emission.h
 // A part of a generated file that a language prints itself; ends in a newline, unless it is empty.
 using Part = std::string (*)(Emission const &);
+
+// Literals that read back to the same bits.
+struct NumberSyntax {
+  std::string_view nan = {}, negative_nan = {}, infinity = {}, negative_infinity = {};
+  std::string_view exponent = "e";       // between mantissa and exponent
+  std::string_view suffix = {};          // of numbers without an exponent
+  std::string_view negative_zero = {};   // if it differs from -0.0
+  std::string_view exponent_suffix = {}; // of numbers with an exponent
+  int sign_binding = 14;                 // binding strength of a signed number
+};
+
+// Type of a variable: a number, a truth value, or a 64-bit integer.
+struct TypeSyntax {
+  std::string_view name = {}, zero = {};
+};
+
+// Differences of single precision from double. An empty type: unsupported.
+struct SingleSyntax {
+  TypeSyntax number = {};
+  NumberSyntax numbers = {};
+  std::string_view call_suffix = {}; // of math library names: "f"
+  std::string_view narrowed = {};    // before a call, if functions return doubles: "(float)"
+  std::span<Op const> given = {};    // operations whose functions return their argument type
+};
+
+// A placeholder of this language's patterns, with its text in double and single precision.
+struct Word {
+  std::string_view name = {}, in_double = {}, in_single = {};
+};
 
 // Exception to the spelling in the operation table. Precedence 0: never in parentheses.
 struct OperationSpelling {
@@ -46,6 +77,14 @@ struct LineLimits {
   std::size_t base = 0, step = 2;
 };
 
+struct StringSyntax {
+  std::string_view quote = "\"";
+  std::string_view escaped = "\"\\"; // characters that need a backslash
+  bool doubles_quotes = false;       // quotation marks are doubled, and other characters stay
+  std::size_t most = 0;              // longer literals are joined
+  std::string_view joint = {};
+};
+
 struct ExpressionSyntax {
   std::string_view call_prefix = {}; // of math library names: "std::"
   std::string_view call_open = "(", call_close = ")";
@@ -55,6 +94,7 @@ struct ExpressionSyntax {
   std::string_view element = {};                           // $array $index
   std::size_t first_index = 0;                             // of an array
   std::string_view yes = {};                               // a condition that is always true
+  bool has_plus = false;                                   // as a prefix; parentheses replace it elsewhere
   std::string_view truth_as_number = {};                   // $x; empty: truth values are numbers
   std::string_view small_integer = {}, large_integer = {}; // $value $signed $hex: of 31 bits, of 64 bits
   std::string_view kept_integer = {}; // $element of an array of numbers that holds an integer's bits
@@ -157,6 +197,43 @@ struct TableSyntax {
   std::string_view joined = {};
 };
 
+// A parameter in a function's declaration, and as an argument of its call.
+struct Passing {
+  std::string_view declared = {}, passed = {};
+};
+
+// An integer type: its names in C and in the language.
+struct BridgeInteger {
+  std::string_view c = {}, type = {};
+  std::string_view to = {}, from = {}; // $value $type: converts from and to a number; empty: the default
+};
+
+// Bridges: local functions by which a language calls external functions. A bridge takes the arguments as one array and
+// stores the results in another. C needs no bridges.
+//
+// In patterns $name is the bridge, $c_name the function; a parameter is $p (p0, p1, ...), of $count numbers, at $at ..
+// $last of the arguments, or of the results if it is written ($next: the index after them).
+struct BridgeSyntax {
+  std::span<BridgeInteger const> integers = {};
+  std::string_view to_integer = {}, from_integer = {};                     // $value $type
+  Passing number = {}, integer = {}, input = {}, output = {}, object = {}; // $type, $value: of an integer, converted
+  std::string_view copy = {}; // $from $from_last $from_next: before the call, for parameters that are read and written
+  // Return types: $type of an integer, $count of the numbers of a struct.
+  std::string_view no_result = {}, number_result = {}, integer_result = {}, object_result = {};
+  // The call, $made, with the store of its return value: from the first result on.
+  std::string_view no_store = {}, number_store = {}, object_store = {}; // integers are converted to numbers
+  std::string_view object_local = {};                                   // $count: declares the variable of object_store
+  std::string_view made = {}, made_without_result = {};   // $declared $passed $result; the latter if it differs
+  std::string_view structure = {}, import_structure = {}; // $count: a struct; its name, if a declaration needs it
+  // Declarations of all functions: $structures $names, and $declared of the parameters, $result; the variant without a
+  // result, if it differs.
+  std::string_view begin = {}, declaration = {}, declaration_without_result = {}, end = {};
+  std::string_view bridge = {}; // $locals $copies $stored $argument_count $result_count
+  std::string_view call = {};   // $arguments $array $first $next: calls the bridge
+
+  bool is_given() const { return !call.empty(); }
+};
+
 // A call of an external function: an expression per argument; results go to the elements of `array` from `first` on.
 struct ExternalCall {
   External const &function;
@@ -185,6 +262,12 @@ struct Companion {
   bool takes_doubles = false;       // the functions must take doubles
 };
 
+// A helper: a function or a constant that generated code names.
+struct Helper {
+  std::string_view name = {}, text = {};
+  bool declares = false; // precedes the contents of the module
+};
+
 // A source file: banner, begin, declarations of external functions, open, tables, integer functions, hide helper,
 // functions, end.
 struct FileSyntax {
@@ -199,6 +282,39 @@ struct FileSyntax {
   std::span<Helper const> helpers = {}; // written if the printed text names them
   Part end = nullptr;
   std::span<Companion const> companions = {};
+};
+
+// The annotated objects of a role: input, parameter, output.
+struct ObjectsSyntax {
+  std::string_view begin = {}, end = {}; // $role $count
+  // $name $first, from the language's first index on; $extents (3, 4), $more_extents (with a leading comma),
+  // $extents_comma (with a comma after a single extent), $reversed_shape (in reverse and in parentheses, if not empty),
+  // $type
+  std::string_view object = {};
+  std::string_view separator = {};
+  std::string_view number = {}, array = {}; // $type: of a number; $element $extent
+};
+
+// The code around the functions, for languages whose files print/module.h prints.
+struct ModuleSyntax {
+  std::size_t indent = 0;           // of tables, helpers and remarks
+  bool is_named_after_file = false; // the file's name must be an identifier
+  std::string_view begin = {};
+  std::string_view size = {};       // $name $value
+  std::string_view index_list = {}; // $name $count $values: of a matrix of derivatives
+  // Longer lists are joined from parts, if the language limits their length: $name and $count of the list, and $part,
+  // its name, $first, $last, from the language's first index on, $values; then $parts, a list of names.
+  std::size_t most_indices = 0;
+  std::string_view long_index_list = {}, index_part = {}, joined_indices = {};
+  ObjectsSyntax places = {}, structure = {};
+  std::string_view functions = {};                                 // code after the functions
+  std::string_view contains = {};                                  // between declarations and functions
+  std::string_view guards_begin = {}, guard = {}, guards_end = {}; // $number $text, a literal
+  std::string_view no_guards = {};                                 // replaces them if there are no guards
+  std::string_view end = {};
+  // The main program: $input_values, $parameter_values, $all_values (of both) and $labels are lists; $call is one of
+  // the two patterns below.
+  std::string_view main = {}, call = {}, checked_call = {};
 };
 
 struct Language {

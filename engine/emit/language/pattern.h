@@ -1,4 +1,5 @@
-// Patterns: text with placeholders in the language tables, such as "$type $name = $value;".
+// Patterns: text with placeholders in the language tables, such as "$type $name = $value;". Each $name, or ${name}
+// before a letter, stands for its value, and $$ for $. A name without a value is a fault of the table.
 #pragma once
 
 #include "engine/diagnostics/diagnostic.h"
@@ -7,15 +8,16 @@
 #include <initializer_list>
 #include <map>
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace symreal {
 
-// The pattern with each $name replaced by the text that `find` returns for it; nullopt from `find` is a fault of the
-// table.
+struct Language; // language.h
+
+// The pattern with each $name replaced by the text that `find` returns for it, or nullopt.
 template <class Find> std::string fill_places(std::string_view pattern, Find const &find) {
   auto const is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; };
   std::string text;
@@ -39,23 +41,7 @@ template <class Find> std::string fill_places(std::string_view pattern, Find con
   }
 }
 
-// Value for the name in a list of pairs; nullopt if absent.
-inline std::optional<std::string_view> find_place(std::span<std::pair<std::string_view, std::string_view> const> values,
-                                                  std::string_view name) {
-  for (auto const &[given, value] : values)
-    if (given == name) return value;
-  return std::nullopt;
-}
-
-// Replaces each $name, or ${name} before a letter, by its value, and $$ by $. A name without a value is a fault of the
-// table.
-std::string fill(std::string_view pattern, std::span<std::pair<std::string_view, std::string_view> const> values);
-inline std::string fill(std::string_view pattern,
-                        std::initializer_list<std::pair<std::string_view, std::string_view>> values) {
-  return fill(pattern, std::span(values.begin(), values.size()));
-}
-
-// A reusable set of values, whose names have three cases: name, Name, NAME.
+// A reusable set of values.
 class Filling {
 public:
   Filling &set(std::string const &name, std::string value) {
@@ -63,12 +49,32 @@ public:
     return *this;
   }
   Filling &set(std::string const &name, std::size_t value) { return set(name, std::to_string(value)); }
-  // `joins`: whether a_name becomes AName instead of A_name.
-  Filling &set_name(std::string const &name, std::string const &value, bool joins = true);
+  // Sets a_name, AName and A_NAME.
+  Filling &set_name(std::string const &name, std::string const &value);
   std::string operator()(std::string_view pattern) const;
 
 private:
-  std::map<std::string, std::string> values_;
+  std::map<std::string, std::string, std::less<>> values_;
+};
+
+// A pattern parsed once, with the language's words filled in.
+class PreparedPattern {
+public:
+  // `names`: the remaining placeholders.
+  PreparedPattern(Language const &language, std::string_view pattern, std::initializer_list<std::string_view> names);
+
+  // `values`: in the order of `names`.
+  void append_to(std::string &text, std::initializer_list<std::string_view> values) const;
+
+private:
+  // Text, followed by a value.
+  struct Piece {
+    std::string text;
+    std::size_t value;
+  };
+  static constexpr std::size_t no_value = ~std::size_t{0};
+
+  std::vector<Piece> pieces_;
 };
 
 } // namespace symreal

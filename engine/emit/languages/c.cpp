@@ -1,4 +1,3 @@
-#include "engine/emit/c/externals.h"
 #include "engine/emit/c/parts.h"
 #include "engine/emit/languages/languages.h"
 
@@ -24,6 +23,7 @@ Language language_c() {
   c.expressions = {
       .element = "$array[$index]",
       .yes = "true",
+      .has_plus = true,
       .small_integer = "${value}u",
       .large_integer = "UINT64_C($value)",
       .kept_integer = "kept_integer(&$element)",

@@ -1,6 +1,6 @@
 #include "engine/emit/languages/languages.h"
+#include "engine/emit/print/banner.h"
 #include "engine/emit/print/emission.h"
-#include "engine/emit/print/source.h"
 #include "engine/graph/names.h"
 
 #include <fmt/format.h>

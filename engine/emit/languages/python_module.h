@@ -1,4 +1,4 @@
-// Patterns shared by generated Python modules and Python packages (syntax: language/module.h).
+// Patterns shared by generated Python modules and Python packages (syntax: language/language.h).
 #pragma once
 
 #include <string_view>

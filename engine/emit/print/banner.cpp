@@ -1,25 +1,30 @@
+#include "engine/emit/print/banner.h"
+
 #include "engine/emit/language/banner.h"
-#include "engine/emit/print/source.h"
-#include "engine/support/version.h"
+#include "engine/emit/language/words.h"
+#include "engine/graph/graph.h"
+#include "engine/support/installation.h"
 
 #include <algorithm>
 #include <fmt/format.h>
 
 namespace symreal {
 
+namespace {
+
 // Compilers turn pow(x, 2.0) into x*x and pow(2.0, x) into exp2(x), which differ in the last bit, unless told not to.
-static bool calls_pow(Graph const &graph) {
+bool calls_pow(Graph const &graph) {
   return std::any_of(graph.nodes.begin(), graph.nodes.end(), [](Node const &node) { return node.op == Op::pow; });
 }
 
 // Promises for doubles do not extend to other types.
-static std::string promise_in_single(FloatingPoint mode) {
+std::string promise_in_single(FloatingPoint mode) {
   return "Single precision: rounding differs from that of the original, which computes with more digits.\n"
          "The identities of mode " +
          std::string(to_string(mode)) + " were applied.";
 }
 
-static std::string promise(Emission const &emission) {
+std::string promise(Emission const &emission) {
   if (emission.language.is_single) return promise_in_single(emission.options.mode);
   FileSyntax const &files = emission.language.files;
   std::string const when =
@@ -40,7 +45,7 @@ static std::string promise(Emission const &emission) {
 }
 
 // A label is the user's text: slashes are escaped, so that it cannot end the comment.
-static std::string json_string(std::string const &text) {
+std::string json_string(std::string const &text) {
   std::string result = "\"";
   for (char c : text) {
     if (c == '"' || c == '\\') result += '\\';
@@ -54,10 +59,12 @@ static std::string json_string(std::string const &text) {
   return result + '"';
 }
 
-static std::optional<std::size_t> vector_width(Emission const &emission) {
+std::optional<std::size_t> vector_width(Emission const &emission) {
   if (!emission.lanes || !emission.lanes->compute) return std::nullopt;
   return emission.lanes->compute->width;
 }
+
+} // namespace
 
 std::string banner(Emission const &emission) {
   Graph const &graph = emission.graph();
@@ -98,6 +105,26 @@ std::string banner(Emission const &emission) {
                     "elsewhere the same numbers one by one.",
                     *width));
   return comment(emission.language, lines) + "\n";
+}
+
+std::string frozen_remark(Emission const &emission) {
+  Graph const &graph = emission.graph();
+  if (graph.frozen.empty()) return {};
+  std::vector<std::string> lines = {"Baked in with the values that the program had there when this was recorded:"};
+  for (Frozen const &state : graph.frozen)
+    lines.push_back("  " + in_comment(fmt::format("{} = {} ({})", state.name, value_list(state.values),
+                                                  portable_place(state.place))));
+  return comment(emission.language, lines, true) + "\n\n";
+}
+
+std::string guard_remark(Emission const &emission) {
+  Graph const &graph = emission.graph();
+  std::vector<std::string> lines = {"compute returns 0, or the number of the first guard that does not hold; output is "
+                                    "left untouched then.",
+                                    "The code is right where the original decides as it did while it was recorded:"};
+  for (std::size_t k = 0; k < graph.guards.size(); ++k)
+    lines.push_back(fmt::format("{:>3}  {}", k + 1, in_comment(guard_text(graph, graph.guards[k]))));
+  return comment(emission.language, lines, true) + "\n";
 }
 
 } // namespace symreal

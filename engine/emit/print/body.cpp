@@ -1,15 +1,22 @@
 #include "engine/emit/print/body.h"
 
 #include "engine/emit/origins/origins.h"
-#include "engine/emit/print/call.h"
 #include "engine/emit/print/constant_paths.h"
-#include "engine/plan/schedule/order.h"
-#include "engine/support/quoted.h"
+#include "engine/emit/print/externals.h"
+#include "engine/plan/schedule/dependences.h"
+#include "engine/support/text.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace symreal {
+
+Origin origin_of(Emission const &emission, std::vector<NodeId> const &operations) {
+  if (!emission.options.origins && !emission.options.trace_comments) return {};
+  Origin origin{locations_of(emission.graph(), operations), {}};
+  if (emission.options.trace_comments && !origin.locations.empty())
+    origin.comment = describe_locations(emission.graph(), origin.locations);
+  return origin;
+}
 
 static bool is_about_variable(Step const &step) {
   return step.kind == Step::Kind::declare || step.kind == Step::Kind::set || step.kind == Step::Kind::set_const ||
@@ -145,7 +152,7 @@ void BodyPrinter::set(std::size_t statement, bool declares, std::size_t indent, 
   if (declares && !syntax.first_declaration.empty())
     declarations_.statement(2, fill(language_, syntax.first_declaration, {{"type", type_name}, {"name", name_}}));
   (declares ? constant_ : set_).append_to(line_, {type_name, name_, value_});
-  out.statement(indent, line_, origin());
+  out.statement(indent, line_, origin_of(emission_, context_.spelled_out));
   if (emission_.options.check_values && type(statement) == Type::number) check_value(statement, indent, out);
 }
 
@@ -182,7 +189,7 @@ void BodyPrinter::print_call(Step const &step, std::size_t indent, CodeText &out
   context_.spelled_out = {body_.variables[step.index]};
   std::vector<std::string> const lines = call.print();
   for (std::size_t k = 0; k < lines.size(); ++k)
-    out.statement(indent, lines[k], k + 1 == lines.size() ? origin() : Origin());
+    out.statement(indent, lines[k], k + 1 == lines.size() ? origin_of(emission_, context_.spelled_out) : Origin());
 }
 
 void BodyPrinter::begin_store(std::string_view array, std::size_t index) {
@@ -229,15 +236,6 @@ void BodyPrinter::results(std::size_t group, CodeText &out) {
 void BodyPrinter::note_variable(std::string const &name) {
   FunctionSyntax const &syntax = language_.functions;
   if (!syntax.locals.empty() || !syntax.no_locals.empty()) variables_.push_back(name);
-}
-
-Origin BodyPrinter::origin() const {
-  if (!emission_.options.origins && !emission_.options.trace_comments) return {};
-  Graph const &graph = emission_.graph();
-  Origin origin{locations_of(graph, context_.spelled_out), {}};
-  if (emission_.options.trace_comments && !origin.locations.empty())
-    origin.comment = describe_locations(graph, origin.locations);
-  return origin;
 }
 
 } // namespace symreal

@@ -10,6 +10,9 @@
 
 namespace symreal {
 
+// Origin of the operations, as far as the options ask for it.
+Origin origin_of(Emission const &emission, std::vector<NodeId> const &operations);
+
 class BodyPrinter {
 public:
   // `target`: array for the results.
@@ -62,7 +65,6 @@ private:
   void begin_store(std::string_view array, std::size_t index);
   void end_store(NodeId id, std::size_t indent, CodeText &out);
   void note_variable(std::string const &name);
-  Origin origin() const;
 
   Emission &emission_;
   Language const &language_;

@@ -58,4 +58,29 @@ void CodeText::append(CodeText &&other) {
   other = CodeText(*language_);
 }
 
+std::string lines_of(Language const &language, std::vector<std::string> const &values) {
+  std::string text;
+  std::size_t width = 0;
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    bool const breaks = k == 0 || width + values[k].size() > 80;
+    if (k != 0) text += breaks ? "," : ", ";
+    if (breaks) text += std::string(language.lines.continuation) + "\n    ";
+    width = (breaks ? 0 : width) + values[k].size() + 2;
+    text += values[k];
+  }
+  return text;
+}
+
+std::string indented(Language const &language, std::string const &text) {
+  if (language.module.indent == 0) return text;
+  std::string result;
+  for (std::size_t at = 0; at < text.size();) {
+    std::size_t const end = std::min(text.find('\n', at), text.size() - 1);
+    if (end != at) result.append(language.module.indent, ' ');
+    result += text.substr(at, end - at + 1);
+    at = end + 1;
+  }
+  return result;
+}
+
 } // namespace symreal

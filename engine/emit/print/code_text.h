@@ -1,4 +1,4 @@
-// Generated lines, with the source locations of their statements.
+// Generated lines: their layout, and the source locations of their statements.
 #pragma once
 
 #include "engine/emit/language/emitted.h"
@@ -41,5 +41,11 @@ private:
   std::size_t line_ = 1; // number of the next line
   std::vector<LineOrigin> origins_;
 };
+
+// The values of a list, several per line.
+std::string lines_of(Language const &language, std::vector<std::string> const &values);
+
+// Text indented for its place between the functions of a file.
+std::string indented(Language const &language, std::string const &text);
 
 } // namespace symreal

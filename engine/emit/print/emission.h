@@ -1,16 +1,13 @@
 // Emission state shared by the printers and parts of a file: the schedule, the language, and the features used so far.
 #pragma once
 
-#include "engine/emit/language/emitted.h"
 #include "engine/emit/language/language.h"
 #include "engine/emit/language/words.h"
-#include "engine/emit/print/bridge_names.h"
 #include "engine/emit/print/spellings.h"
 #include "engine/plan/lanes/lanes.h"
 #include "engine/plan/reroll/reroll.h"
-#include "engine/plan/schedule/schedule.h"
 
-#include <array>
+#include <bitset>
 #include <set>
 #include <string>
 #include <string_view>
@@ -20,8 +17,8 @@ namespace symreal {
 
 // Features that printed functions use, which the rest of the file must provide.
 struct Uses {
-  std::array<bool, op_count> operations{}; // printed operations
-  std::array<bool, op_count> spelled{}; // operations whose spelling is printed, also for negated or compared conditions
+  std::bitset<op_count> operations; // printed operations
+  std::bitset<op_count> spelled;    // operations whose spelling is printed, also for negated or compared conditions
   std::set<std::string_view> integer_functions; // by their names in the operation table
   std::set<std::size_t> tables, externals;
   bool kept_integer = false, keep_integer = false; // 64-bit integers in arrays of numbers
@@ -31,8 +28,25 @@ struct Uses {
   bool side_by_side = false; // parts whose loops are vectorised, whatever the rest of the file permits
   bool not_finite = false;   // infinities or NaNs among the constants
 
-  void add(Uses const &other);
+  void add(Uses const &other) {
+    operations |= other.operations;
+    spelled |= other.spelled;
+    integer_functions.insert(other.integer_functions.begin(), other.integer_functions.end());
+    tables.insert(other.tables.begin(), other.tables.end());
+    externals.insert(other.externals.begin(), other.externals.end());
+    kept_integer |= other.kept_integer;
+    keep_integer |= other.keep_integer;
+    truths |= other.truths;
+    hidden |= other.hidden;
+    value_checks |= other.value_checks;
+    apart |= other.apart;
+    side_by_side |= other.side_by_side;
+    not_finite |= other.not_finite;
+  }
 };
+
+// Array of computed angles.
+inline constexpr char const *computed_angles = "computed_angle";
 
 struct Emission {
   Schedule const &plan;
@@ -53,6 +67,8 @@ struct Emission {
   std::string name(std::string const &function) const {
     return language.names.spelled(language.has_namespace ? function : prefixed(options, function));
   }
+  // Name of a table of constants.
+  std::string table_name(std::size_t number) const { return language.names.spelled("table_" + std::to_string(number)); }
 };
 
 } // namespace symreal

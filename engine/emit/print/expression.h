@@ -1,9 +1,7 @@
 // Expressions in a language: nested as the schedule nests them, with the fewest parentheses.
 #pragma once
 
-#include "engine/emit/language/prepared_pattern.h"
 #include "engine/emit/print/emission.h"
-#include "engine/emit/print/variable_names.h"
 
 #include <algorithm>
 #include <string>

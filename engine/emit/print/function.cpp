@@ -1,11 +1,6 @@
 #include "engine/emit/print/function.h"
 
-#include "engine/emit/language/pattern.h"
-#include "engine/emit/print/angles.h"
 #include "engine/emit/print/body.h"
-#include "engine/emit/print/function_head.h"
-#include "engine/emit/print/lanes.h"
-#include "engine/emit/print/loops.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -13,7 +8,135 @@
 
 namespace symreal {
 
+void append_function(Language const &language, std::string_view pattern, FunctionHead const &head,
+                     std::vector<Parameter> const &parameters, CodeText &&text, CodeText &out) {
+  FunctionSyntax const &syntax = language.functions;
+  std::string list;
+  for (Parameter const &parameter : parameters)
+    list += (list.empty() ? "" : ", ") + fill(language, parameter.pattern, {{"name", parameter.name}});
+  Filling fill_head;
+  fill_head.set("result", std::string(head.may_fail ? syntax.status : syntax.no_result))
+      .set_name("name", head.name)
+      .set("target", head.target)
+      .set("pure", std::string(head.is_pure ? syntax.pure : ""))
+      .set("apart", std::string(head.is_apart ? syntax.apart : ""))
+      .set("beside", std::string(head.is_side_by_side ? syntax.beside : ""))
+      .set("parameters", list);
+  out.statement(0, fill_head(with_words(language, pattern)));
+  for (Parameter const &parameter : parameters)
+    if (!parameter.is_used) out.statement(2, fill(language, syntax.unused, {{"name", parameter.name}}));
+  out.append(std::move(text));
+  out.statement(0, fill_head(with_words(language, syntax.end)));
+}
+
 namespace {
+
+std::string angles_function(Emission const &emission) { return emission.name("compute_angles"); }
+
+class AnglesPrinter {
+public:
+  AnglesPrinter(Emission const &emission, CodeText &out)
+      : angles_(emission.plan.angles),
+        language_(emission.language),
+        syntax_(emission.language.angles),
+        input_(name_of(Array::input)),
+        function_(angles_function(emission)),
+        out_(out) {}
+
+  void print() {
+    for (Array const array : {Array::sine, Array::cosine}) declare(std::string(name_of(array)), angles_.size());
+    if (std::size_t const count = angles_.inputs.size(); count != 0) call(count, inputs(), 0);
+    if (std::size_t const count = angles_.computed.results.size(); count != 0) {
+      declare(computed_angles, count);
+      out_.statement(
+          2, fill(language_, language_.functions.call,
+                  {{"name", function_},
+                   {"group", ""},
+                   {"arguments", fmt::format("{}, {}, {}", input_, name_of(Array::constants), computed_angles)}}));
+      call(count, computed_angles, angles_.inputs.size());
+    }
+  }
+
+private:
+  void declare(std::string const &array, std::size_t count) {
+    out_.statement(2, fill(language_, language_.statements.array, {{"name", array}, {"count", std::to_string(count)}}));
+  }
+
+  std::string from(std::string const &array, std::size_t first) const {
+    if (first == 0) return array;
+    return fill(language_, syntax_.from, {{"array", array}, {"first", std::to_string(first)}});
+  }
+
+  void call(std::size_t count, std::string const &angles, std::size_t first) {
+    out_.statement(2, fill(language_, syntax_.call,
+                           {{"count", std::to_string(count)},
+                            {"angles", angles},
+                            {"sine", from(std::string(name_of(Array::sine)), first)},
+                            {"cosine", from(std::string(name_of(Array::cosine)), first)}}));
+  }
+
+  // A subarray of `input` if the angles are contiguous, else a local array of them.
+  std::string inputs() {
+    std::vector<std::uint32_t> const &slots = angles_.inputs;
+    if (slots.back() - slots.front() + 1 == slots.size()) return from(input_, slots.front());
+    std::vector<std::string> elements;
+    for (std::uint32_t const slot : slots) elements.push_back(element(language_, input_, slot));
+    out_.lines("  " + fill(language_, syntax_.begin, {{"name", "angle"}, {"count", std::to_string(slots.size())}}) +
+               lines_of(language_, elements) + std::string(syntax_.end) + "\n");
+    return "angle";
+  }
+
+  Angles const &angles_;
+  Language const &language_;
+  AnglesSyntax const &syntax_;
+  std::string input_, function_;
+  CodeText &out_;
+};
+
+} // namespace
+
+void print_angles(Emission const &emission, CodeText &out) {
+  if (emission.plan.angles.size() != 0) AnglesPrinter(emission, out).print();
+}
+
+namespace {
+
+FunctionPlan function_plan(Emission const &emission, FunctionKind kind) {
+  Schedule const &plan = emission.plan;
+  Rerolled const *const loops = emission.loops;
+  if (kind == FunctionKind::preprocess) {
+    std::vector<std::string> const inputs = {"parameters"};
+    return {plan.preprocess,
+            loops ? &loops->preprocess : nullptr,
+            emission.name("preprocess"),
+            inputs,
+            inputs,
+            "constants",
+            false,
+            false};
+  }
+  std::vector<std::string> const inputs = {"input", "constants"};
+  if (kind == FunctionKind::computed_angles)
+    return {plan.angles.computed,
+            loops ? &loops->computed_angles : nullptr,
+            angles_function(emission),
+            inputs,
+            inputs,
+            computed_angles,
+            true,
+            true};
+  std::vector<std::string> part_inputs = inputs;
+  if (plan.angles.size() != 0)
+    for (Array const array : {Array::sine, Array::cosine}) part_inputs.emplace_back(name_of(array));
+  return {plan.compute,
+          loops ? &loops->compute : nullptr,
+          emission.name("compute"),
+          inputs,
+          std::move(part_inputs),
+          "output",
+          true,
+          false};
+}
 
 class FunctionPrinter {
 public:
@@ -145,45 +268,41 @@ private:
     std::vector<std::string> names = printer_.take_variables();
     if (!is_part && printer_.chunk_count() > 1) names.insert(names.begin(), "v");
     if (!is_part && syntax_.output.empty()) names.insert(names.begin(), plan_.target);
-    out.statement(2, fill(names.empty() ? syntax_.no_locals : syntax_.locals,
+    out.statement(2, fill(language_, names.empty() ? syntax_.no_locals : syntax_.locals,
                           {{"names", fmt::format("{}", fmt::join(names, ", "))}}));
   }
 
-  // Marks parameters that the text does not use, against compiler warnings.
+  // Adds the declarations that precede the statements.
   void append(CodeText &out, std::string_view head, std::string_view output, bool may_fail, std::string const &name,
               std::string const &last, CodeText text) {
     bool const is_part = name != plan_.name;
     ArrayNames const used = printer_.take_arrays();
     std::vector<std::string> const &inputs = is_part ? plan_.part_inputs : plan_.inputs;
-    std::string parameters;
-    for (std::string const &input : inputs)
-      parameters += (parameters.empty() ? "" : ", ") + fill(language_, syntax_.input, {{"name", input}});
     bool const stores = is_part && used.contains(plan_.target);
-    std::string outputs = stores ? fill(language_, syntax_.output, {{"name", plan_.target}}) + ", " : "";
-    if (!output.empty()) parameters = with_output(parameters, outputs + fill(language_, output, {{"name", last}}));
+    std::vector<Parameter> parameters, outputs;
+    CodeText whole(language_);
+    for (std::string const &input : inputs) {
+      parameters.push_back({syntax_.input, input, used.contains(input)});
+      whole.statement(2, fill(language_, syntax_.input_declaration, {{"name", input}}));
+    }
+    if (stores) {
+      outputs.push_back({syntax_.output, plan_.target});
+      whole.statement(2, fill(language_, syntax_.output_declaration, {{"name", plan_.target}}));
+    }
+    outputs.push_back({output, last, used.contains(last)});
+    whole.statement(2, fill(language_, syntax_.output_declaration, {{"name", last}}));
+    if (!output.empty())
+      parameters.insert(syntax_.output_first ? parameters.begin() : parameters.end(), outputs.begin(), outputs.end());
+    if (may_fail) whole.statement(2, syntax_.status_declaration);
+    print_locals(is_part, whole);
+    whole.append(printer_.take_declarations());
+    whole.append(std::move(text));
     bool const is_apart = is_part && body_.variables.size() > syntax_.most_statements && !syntax_.apart.empty();
     emission_.uses.apart |= is_apart;
-    out.statement(0, print_head(language_, head,
-                                {.name = name,
-                                 .parameters = parameters,
-                                 .target = last,
-                                 .may_fail = may_fail,
-                                 .is_pure = graph_.externals.empty(),
-                                 .is_apart = is_apart}));
-    for (std::string const &input : inputs)
-      out.statement(2, fill(language_, syntax_.input_declaration, {{"name", input}}));
-    if (stores) out.statement(2, fill(language_, syntax_.output_declaration, {{"name", plan_.target}}));
-    out.statement(2, fill(language_, syntax_.output_declaration, {{"name", last}}));
-    if (may_fail) out.statement(2, syntax_.status_declaration);
-    print_locals(is_part, out);
-    out.append(printer_.take_declarations());
-    auto const mark_unused = [&](std::string const &parameter) {
-      if (!used.contains(parameter)) out.statement(2, fill(language_, syntax_.unused, {{"name", parameter}}));
-    };
-    for (std::string const &input : inputs) mark_unused(input);
-    if (!output.empty()) mark_unused(last);
-    out.append(std::move(text));
-    out.statement(0, Filling().set_name("name", name)(with_words(language_, syntax_.end)));
+    append_function(
+        language_, head,
+        {.name = name, .target = last, .may_fail = may_fail, .is_pure = graph_.externals.empty(), .is_apart = is_apart},
+        parameters, std::move(whole), out);
   }
 
   Emission &emission_;

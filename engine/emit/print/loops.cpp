@@ -1,12 +1,9 @@
-#include "engine/emit/print/loops.h"
-
-#include "engine/emit/language/pattern.h"
-#include "engine/emit/print/angles.h"
+#include "engine/emit/print/body.h"
 #include "engine/emit/print/constant_paths.h"
-#include "engine/emit/print/function_head.h"
+#include "engine/emit/print/function.h"
 #include "engine/emit/print/loop_indices.h"
-#include "engine/emit/print/loop_step.h"
-#include "engine/plan/reroll/side_by_side.h"
+#include "engine/emit/print/number_tables.h"
+#include "engine/plan/reroll/loop_program.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -17,12 +14,192 @@ namespace symreal {
 
 namespace {
 
+using reroll::Access;
+using reroll::Leaf;
 using reroll::Step;
 using reroll::Store;
 
-struct Parameter {
-  std::string_view pattern;
-  std::string name;
+// Names of the arrays of a function.
+struct LoopArrays {
+  std::string given, read, memory, filled, sine, cosine;
+  bool may_be_constant = false; // whether memory is constant on some path
+};
+
+// Prints one step into `out`, with the tables that only this step reads; adds the names of the arrays in the text to
+// `used`.
+class StepPrinter {
+public:
+  StepPrinter(Emission &emission, Step const &step, StepNumbers const &numbers, LoopTables const &tables,
+              LoopArrays const &arrays, CodeText &out, std::set<std::string> &used)
+      : emission_(emission),
+        language_(emission.language),
+        step_(step),
+        numbers_(numbers),
+        tables_(tables),
+        indices_(emission.language, step),
+        names_(indices_.names()),
+        arrays_(arrays),
+        out_(out),
+        used_(used) {}
+
+  void print() {
+    find_records();
+    std::vector<std::string> const leaves = spell_leaves();
+    std::vector<std::string> stores;
+    for (Store const &store : step_.stores) stores.push_back(element(array_of(store), store.access, true));
+    std::vector<std::string> const rows = spell_rows();
+    indent_ = indices_.begin(of_turn_, out_);
+    for (std::string const &row : rows) out_.statement(indent_, row);
+    Language whole = language_; // the body is not cut
+    whole.functions.most_statements = std::string::npos;
+    Schedule const plan = schedule(step_.body);
+    Emission inner{plan, whole, emission_.options, nullptr, nullptr, names_};
+    BodyPrinter printer(inner, plan.compute, true, arrays_.filled);
+    printer.spell_inputs(leaves, constant_leaves());
+    CodeText statements(language_);
+    printer.statements(0, statements, indent_);
+    out_.append(std::move(statements));
+    for (std::size_t k = 0; k < stores.size(); ++k) set(stores[k], printer.use(step_.stores[k].value));
+    for (std::size_t k = 0; k < leaves.size(); ++k)
+      if (step_.leaves[k].kind == Leaf::Kind::carried) set(leaves[k], printer.use(step_.leaves[k].next));
+    emission_.uses.add(inner.uses);
+    indices_.end(out_);
+  }
+
+private:
+  // Compilers may unroll a loop and see the values of a table.
+  std::vector<char> constant_leaves() const {
+    std::vector<char> constant;
+    for (Leaf const &leaf : step_.leaves)
+      constant.push_back(arrays_.may_be_constant && !reroll::is_argument(leaf.kind));
+    return constant;
+  }
+
+  void find_records() {
+    if (indices_.is_nested()) return;
+    for (Leaf const &leaf : step_.leaves)
+      if (leaf.kind == Leaf::Kind::memory || (indices_.is_loop() && leaf.kind != Leaf::Kind::values))
+        records_.add(array_of(leaf.kind), leaf.access, false);
+    for (Store const &store : step_.stores)
+      if (!store.is_result || indices_.is_loop()) records_.add(array_of(store), store.access, true);
+    records_.choose();
+    std::size_t read = 0, stored = 0;
+    for (Record const &record : records_.chosen())
+      record_names_.push_back(own_name(record.is_stored ? fmt::format("w{}", ++stored) : fmt::format("r{}", ++read)));
+  }
+
+  std::vector<std::string> spell_leaves() {
+    for (TableWalk const &walk : numbers_.walks) {
+      NumberTable const &table = tables_.table(walk.table);
+      std::string name = tables_.name(walk.table);
+      if (!tables_.is_shared(walk.table)) {
+        name = own_name(name);
+        print_number_table(emission_, 2, name, table, out_);
+      }
+      names_.insert({name, rows_name(name)});
+      table_names_.push_back(std::move(name));
+      rows_.push_back(own_name(walk.by_turn ? "turn_row" : "row"));
+    }
+    std::vector<std::string> leaves;
+    for (std::size_t k = 0; k < step_.leaves.size(); ++k) {
+      auto const &[walk, column] = numbers_.places[k];
+      leaves.push_back(step_.leaves[k].kind == Leaf::Kind::values ? indexed(rows_[walk], std::to_string(column))
+                                                                  : spell(step_.leaves[k], k));
+    }
+    return leaves;
+  }
+  // A name that is unused in the step.
+  std::string own_name(std::string const &wish) {
+    std::string name = wish;
+    for (std::size_t number = 2; !names_.insert(name).second; ++number) name = fmt::format("{}_{}", wish, number);
+    return name;
+  }
+
+  // Invariant elements are read before the loop: compilers cannot know that no store changes them.
+  std::string spell(Leaf const &leaf, std::size_t number) {
+    StatementSyntax const &syntax = language_.statements;
+    bool const is_carried = leaf.kind == Leaf::Kind::carried;
+    std::string text = element(is_carried ? arrays_.memory : array_of(leaf.kind), leaf.access);
+    bool const is_fixed = indices_.is_fixed(leaf.access), in_turn = indices_.is_fixed_in_turn(leaf.access);
+    if (!is_carried && !is_fixed && !in_turn) return text;
+    std::string name = (is_carried ? "c" : "f") + std::to_string(number);
+    names_.insert(name);
+    std::string declaration = fill(language_, is_carried ? syntax.variable : syntax.constant,
+                                   {{"type", language_.number.name}, {"name", name}, {"value", text}});
+    if (is_carried || is_fixed)
+      out_.statement(2, declaration);
+    else
+      of_turn_.push_back(std::move(declaration));
+    return name;
+  }
+
+  std::string const &array_of(Leaf::Kind kind) const {
+    switch (kind) {
+    case Leaf::Kind::given: return arrays_.given;
+    case Leaf::Kind::read: return arrays_.read;
+    case Leaf::Kind::sine: return arrays_.sine;
+    case Leaf::Kind::cosine: return arrays_.cosine;
+    default: return arrays_.memory;
+    }
+  }
+
+  std::string const &array_of(Store const &store) const { return store.is_result ? arrays_.filled : arrays_.memory; }
+
+  std::string element(std::string const &array, Access const &access, bool is_stored = false) {
+    used_.insert(array);
+    if (std::optional<Records::Place> const place = records_.find(array, access, is_stored))
+      return indexed(record_names_[place->record], std::to_string(place->element));
+    std::optional<std::string> const index = indices_.of_element(access);
+    return indexed(array, index ? *index : indexed(element_table(access.elements), indices_.of_iteration()));
+  }
+  std::string indexed(std::string_view array, std::string const &index) const {
+    return fill(language_, language_.expressions.element, {{"array", array}, {"index", index}});
+  }
+  std::string element_table(std::vector<std::uint32_t> const &elements) {
+    std::string name = own_name(fmt::format("table_{}", ++element_tables_));
+    print_element_table(language_, 2, name, elements, out_);
+    return name;
+  }
+
+  // Statements for the begins of records and table rows, in the body or in the outer loop.
+  std::vector<std::string> spell_rows() {
+    std::vector<std::string> statements;
+    for (std::size_t k = 0; k < record_names_.size(); ++k) {
+      Record const &record = records_.chosen()[k];
+      std::string const index = index_text(record.first, {{record.step, indices_.of_iteration()}});
+      statements.push_back(fill(language_, record.is_stored ? language_.loops.stored_row : language_.loops.row,
+                                {{"name", record_names_[k]}, {"table", record.array}, {"index", index}}));
+    }
+    for (std::size_t k = 0; k < rows_.size(); ++k) {
+      TableWalk const &walk = numbers_.walks[k];
+      std::string const count = walk.by_turn ? indices_.of_turn() : indices_.of_iteration();
+      std::string const index = begin_of_row(language_, walk, tables_.table(walk.table), table_names_[k], count);
+      (walk.by_turn ? of_turn_ : statements)
+          .push_back(
+              fill(language_, language_.loops.row, {{"name", rows_[k]}, {"table", table_names_[k]}, {"index", index}}));
+    }
+    return statements;
+  }
+
+  void set(std::string const &name, std::string const &value) {
+    out_.statement(indent_, fill(language_, language_.statements.set, {{"name", name}, {"value", value}}));
+  }
+
+  Emission &emission_;
+  Language const &language_;
+  Step const &step_;
+  StepNumbers const &numbers_;
+  LoopTables const &tables_;
+  LoopIndices indices_;
+  std::set<std::string> names_; // names that the body must not use
+  LoopArrays const &arrays_;
+  CodeText &out_;
+  std::set<std::string> &used_;
+  std::vector<std::string> table_names_, rows_; // names, per walk through a table
+  Records records_{indices_.is_loop()};
+  std::vector<std::string> record_names_;
+  std::vector<std::string> of_turn_; // statements of the outer loop
+  std::size_t element_tables_ = 0, indent_ = 2;
 };
 
 class LoopsPrinter {
@@ -65,10 +242,11 @@ public:
     for (reroll::Mirror const &mirror : function_.mirrors) print_mirror(mirror, last);
     if (!function_.checks.empty()) last.statement(2, syntax_.success);
     std::vector<Parameter> parameters;
-    for (std::string const &input : plan_.inputs) parameters.push_back({syntax_.input, input});
-    parameters.push_back({syntax_.output, arrays_.filled});
-    FunctionHead const head{.name = plan_.name, .may_fail = !function_.checks.empty()};
-    append(out, plan_.is_local ? syntax_.local_head : syntax_.head, head, parameters, used, std::move(last));
+    for (std::string const &input : plan_.inputs) parameters.push_back({syntax_.input, input, used.contains(input)});
+    parameters.push_back({syntax_.output, arrays_.filled, used.contains(arrays_.filled)});
+    append_function(language_, plan_.is_local ? syntax_.local_head : syntax_.head,
+                    {.name = plan_.name, .target = arrays_.filled, .may_fail = !function_.checks.empty()}, parameters,
+                    std::move(last), out);
     return out;
   }
 
@@ -99,7 +277,7 @@ private:
     Step const &step = function_.steps[number];
     CodeText text(language_);
     std::set<std::string> used;
-    print_step(emission_, step, tables_.of_step(number), tables_, arrays_, text, used);
+    StepPrinter(emission_, step, tables_.of_step(number), tables_, arrays_, text, used).print();
     std::vector<Parameter> parameters;
     for (std::string const &input : plan_.part_inputs)
       if (used.contains(input)) parameters.push_back({syntax_.input, input});
@@ -109,32 +287,15 @@ private:
     if (used.contains(arrays_.filled)) parameters.push_back({syntax_.local_output, arrays_.filled});
     std::string const name = language_.names.spelled(fmt::format("{}_{}", plan_.name, number + 1));
     FunctionHead const head{.name = name,
+                            .target = parameters.back().name,
                             .is_side_by_side = emission_.forbids_fusion() && reroll::is_side_by_side(step)};
     emission_.uses.side_by_side |= head.is_side_by_side;
-    append(out, syntax_.local_head, head, parameters, used, std::move(text));
+    append_function(language_, syntax_.local_head, head, parameters, std::move(text), out);
     out.lines("\n");
     std::string const arguments =
         fmt::format("{}", fmt::join(parameters | std::views::transform(&Parameter::name), ", "));
     calls.statement(2, fill(language_, syntax_.call, {{"name", name}, {"group", ""}, {"arguments", arguments}}));
     return used;
-  }
-
-  // Marks parameters that the text does not use, against compiler warnings.
-  void append(CodeText &out, std::string_view pattern, FunctionHead head, std::vector<Parameter> const &parameters,
-              std::set<std::string> const &used, CodeText &&text) const {
-    std::vector<std::string> words;
-    std::string unused;
-    for (Parameter const &parameter : parameters) {
-      words.push_back(fill(language_, parameter.pattern, {{"name", parameter.name}}));
-      if (!used.contains(parameter.name))
-        unused += "  " + fill(language_, syntax_.unused, {{"name", parameter.name}}) + "\n";
-    }
-    head.parameters = fmt::format("{}", fmt::join(words, ", "));
-    head.target = parameters.back().name;
-    out.statement(0, print_head(language_, pattern, head));
-    out.lines(unused);
-    out.append(std::move(text));
-    out.statement(0, Filling().set_name("name", head.name)(with_words(language_, syntax_.end)));
   }
 
   Emission &emission_;

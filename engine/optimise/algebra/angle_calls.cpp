@@ -1,7 +1,4 @@
-#include "engine/optimise/algebra/angle_forms.h"
 #include "engine/optimise/algebra/angle_sums.h"
-
-#include <utility>
 
 namespace symreal::algebra {
 
@@ -27,16 +24,16 @@ double total_cost(Network const &network, CostModel const &costs) {
 }
 
 // Two angles with a node that equals the sine or cosine of their sum or difference, and the point of that angle.
-struct Candidate {
+struct CallCandidate {
   Index a, b;
   bool is_minus;
   Value angle, sine_value, cosine_value;
   std::optional<Literal> sine = {}, cosine = {};
 };
 
-class Candidates {
+class CallCandidates {
 public:
-  explicit Candidates(Network const &network) : network_(network), live_(live_nodes(network)) {
+  explicit CallCandidates(Network const &network) : network_(network), live_(live_nodes(network)) {
     constexpr std::size_t most_angles = 64;
     for (Angle const &angle : angles_of(network)) {
       Value const value = network[angle.node].value;
@@ -50,7 +47,7 @@ public:
           if (i != j || !is_minus) look_at(points_[i], points_[j], is_minus);
   }
 
-  std::vector<Candidate> found;
+  std::vector<CallCandidate> found;
 
 private:
   struct Point {
@@ -60,12 +57,12 @@ private:
 
   void look_at(Point const &a, Point const &b, bool is_minus) {
     Value const angle = is_minus ? -b.angle : b.angle, sine = is_minus ? -b.sine : b.sine;
-    Candidate candidate = {a.node,
-                           b.node,
-                           is_minus,
-                           a.angle + angle,
-                           a.sine * b.cosine + a.cosine * sine,
-                           a.cosine * b.cosine + -(a.sine * sine)};
+    CallCandidate candidate = {a.node,
+                               b.node,
+                               is_minus,
+                               a.angle + angle,
+                               a.sine * b.cosine + a.cosine * sine,
+                               a.cosine * b.cosine + -(a.sine * sine)};
     candidate.sine = find(candidate.sine_value, a.node, b.node);
     candidate.cosine = find(candidate.cosine_value, a.node, b.node);
     if (candidate.sine || candidate.cosine) found.push_back(candidate);
@@ -88,26 +85,17 @@ private:
   std::vector<Point> points_;
 };
 
-Network with_call(Network const &network, Candidate const &candidate) {
-  std::vector<char> const live = live_nodes(network);
-  std::vector<Literal> now(network.size());
-  auto literal = [&](Literal old) { return now[old.node()].negated_if(old.is_negative()); };
-  Network result(network.context());
-  for (Index node = 0; node < network.size(); ++node) {
-    if (!live[node]) continue;
+Network with_call(Network const &network, CallCandidate const &candidate) {
+  auto replacement = [&](Index node, Network &result, LiteralMap const &now) -> std::optional<Literal> {
     auto is = [&](std::optional<Literal> const &found) { return found && found->node() == node; };
-    if (is(candidate.sine) || is(candidate.cosine)) {
-      bool const is_sine = is(candidate.sine);
-      std::optional<Literal> const &found = is_sine ? candidate.sine : candidate.cosine;
-      Literal const angle = result.sum(now[candidate.a], now[candidate.b].negated_if(candidate.is_minus));
-      Literal const call = result.function({is_sine ? Op::sin : Op::cos, 1, {angle}});
-      now[node] = call.negated_if(found && found->is_negative());
-    } else {
-      now[node] = result.copy(network, network[node], literal);
-    }
-  }
-  for (Literal root : network.roots) result.roots.push_back(literal(root));
-  return rebuilt(result);
+    if (!is(candidate.sine) && !is(candidate.cosine)) return std::nullopt;
+    bool const is_sine = is(candidate.sine);
+    std::optional<Literal> const &found = is_sine ? candidate.sine : candidate.cosine;
+    Literal const angle = result.sum(now[candidate.a], now[candidate.b].negated_if(candidate.is_minus));
+    Literal const call = result.function({is_sine ? Op::sin : Op::cos, 1, {angle}});
+    return call.negated_if(found && found->is_negative());
+  };
+  return rebuilt(rewritten(network, replacement));
 }
 
 } // namespace
@@ -118,7 +106,7 @@ Network with_calls_of_angle_sums(Network network, CostModel const &costs) {
   double cost = total_cost(network, costs);
   for (int tries = 64; tries > 0;) {
     bool is_better = false;
-    for (Candidate const &candidate : Candidates(network).found) {
+    for (CallCandidate const &candidate : CallCandidates(network).found) {
       if (tries-- == 0 || is_better) break;
       network.context()->angles.set(candidate.angle, candidate.sine_value, candidate.cosine_value);
       Network next = with_call(network, candidate);

@@ -1,30 +1,85 @@
 #include "engine/optimise/algebra/angle_sums.h"
 
-#include "engine/optimise/algebra/angle_forms.h"
-
 #include <algorithm>
-#include <utility>
+#include <cmath>
+#include <map>
 
 namespace symreal::algebra {
 
 namespace {
 
-constexpr int most_weight = 8;
+// Limits: large multiples lose accuracy, and long sums are rarely related.
+constexpr int most_quarters = 4 * 8;
+constexpr std::size_t longest_angle = 8;
+constexpr int most_weight = 8; // of a plan
 
-enum Part : std::size_t { sines, cosines };
+AngleForm listed(std::map<Index, int> const &quarters) {
+  AngleForm form;
+  for (auto const &[atom, count] : quarters)
+    if (count != 0) form.emplace_back(atom, count);
+  return form;
+}
+
+bool is_good(std::map<Index, int> const &quarters) {
+  return quarters.size() <= longest_angle &&
+         std::ranges::all_of(quarters, [](auto const &part) { return std::abs(part.second) <= most_quarters; });
+}
+
+// Quarters of a node in `number` times `quarters` of it; 0 if they are not a whole number.
+int times(NetworkNode const &number, int quarters) {
+  long double const value = number.value.number[0] * quarters;
+  bool const is_whole = std::fabs(value) <= most_quarters && std::nearbyint(value) == value;
+  auto const result = is_whole ? static_cast<int>(value) : 0;
+  Value const expected = value_of(static_cast<double>(result));
+  return equal_in_field(expected, number.value * value_of(static_cast<double>(quarters))) ? result : 0;
+}
+
+AngleForm operator+(AngleForm const &a, AngleForm const &b) {
+  std::map<Index, int> sum(a.begin(), a.end());
+  for (auto const &[atom, quarters] : b) sum[atom] += quarters;
+  return listed(sum);
+}
+
+AngleForm operator-(AngleForm const &a) {
+  AngleForm result = a;
+  for (auto &[atom, quarters] : result) quarters = -quarters;
+  return result;
+}
+
+// Builds the form as a node of `network`; `now` maps its atoms.
+Literal made_of(AngleForm const &form, Network &network, LiteralMap const &now) {
+  Literal sum = network.zero();
+  for (auto const &[atom, quarters] : form)
+    sum = network.sum(sum, network.product(network.constant(quarters / 4.0), now(Literal::of(atom))));
+  return sum;
+}
+
+// Whether two angles, or multiples of one, share an input; only then can one serve another.
+bool are_related(std::vector<Angle> const &angles, Network const &network) {
+  std::map<Index, int> uses;
+  for (Angle const &angle : angles)
+    for (auto const &[atom, quarters] : angle.form)
+      if (!network[atom].is_free() && ++uses[atom] == 2) return true;
+  return false;
+}
+
+enum TrigFunction : std::size_t { sines, cosines };
 
 // The angle +-a +-b.
-struct Sum {
+struct AngleSum {
   std::size_t a = 0, b = 0;
   bool is_minus_a = false, is_minus_b = false;
+
+  // Double angle: sin 2a = 2 s c, cos 2a = 1 - 2 s^2 or 2 c^2 - 1.
+  bool is_double() const { return a == b && is_minus_a == is_minus_b; }
 };
 
 // Plan of an angle's sine and cosine: by calls, or derived from two other angles.
-struct Plan {
+struct AnglePlan {
   Angle angle;
   int weight = 1; // number of angles with calls, by multiplicity
   bool is_derived = false, is_free = false;
-  Sum sum = {};
+  AngleSum sum = {};
   bool is_there[2] = {};
 };
 
@@ -36,7 +91,7 @@ public:
     for (Angle &angle : angles) add(std::move(angle));
   }
 
-  std::vector<Plan> plans;
+  std::vector<AnglePlan> plans;
 
 private:
   // Size of the part that depends on inputs; simple angles come first, since others derive from them.
@@ -48,19 +103,19 @@ private:
   }
 
   void add(Angle angle) {
-    Plan plan{.angle = std::move(angle)};
+    AnglePlan plan{.angle = std::move(angle)};
     plan.is_there[sines] = plan.angle.sine != no_index;
     plan.is_there[cosines] = plan.angle.cosine != no_index;
     double best = 0; // largest saving
     std::size_t const known = plans.size();
-    Plan chosen = plan;
+    AnglePlan chosen = plan;
     for (std::size_t a = 0; a < known; ++a) {
       if (plans[a].is_free || !may_use(plan, plans[a])) continue;
       for (bool is_minus : {false, true}) {
         AngleForm const rest = plan.angle.form + (is_minus ? plans[a].angle.form : -plans[a].angle.form);
         std::optional<std::pair<std::size_t, bool>> const b = find(plan, rest);
         if (!b) continue;
-        Plan derived = plan;
+        AnglePlan derived = plan;
         derived.is_derived = true;
         derived.sum = {a, b->first, is_minus, b->second};
         derived.weight = plans[a].weight + plans[b->first].weight;
@@ -70,7 +125,7 @@ private:
       }
     }
     if (chosen.is_derived) {
-      for (Part part : {sines, cosines})
+      for (TrigFunction part : {sines, cosines})
         if (chosen.is_there[part]) require(chosen.sum, part);
     }
     by_form_.emplace(chosen.angle.form, plans.size());
@@ -78,14 +133,14 @@ private:
   }
 
   // Whether `part` is computed before the functions of `plan` and has a subset of its hazards.
-  bool may_use(Plan const &plan, Plan const &part) const {
+  bool may_use(AnglePlan const &plan, AnglePlan const &part) const {
     Index const first = std::min(plan.angle.sine, plan.angle.cosine);
     return part.angle.node < first &&
            network_.hazards().is_subset(network_[part.angle.node].hazards, network_[plan.angle.node].hazards);
   }
 
   // The angle of this form or its negative. Adds a plan for a form that depends on parameters alone.
-  std::optional<std::pair<std::size_t, bool>> find(Plan const &plan, AngleForm const &form) {
+  std::optional<std::pair<std::size_t, bool>> find(AnglePlan const &plan, AngleForm const &form) {
     for (bool is_negative : {false, true}) {
       auto const found = by_form_.find(is_negative ? -form : form);
       if (found != by_form_.end() && (plans[found->second].is_free || may_use(plan, plans[found->second])))
@@ -103,15 +158,15 @@ private:
   }
 
   // Cost of making this part of an angle available.
-  double cost_of(std::size_t angle, Part part) const {
-    Plan const &plan = plans[angle];
+  double cost_of(std::size_t angle, TrigFunction part) const {
+    AnglePlan const &plan = plans[angle];
     if (plan.is_there[part]) return 0;
     if (!plan.is_derived) return costs_[part == sines ? Op::sin : Op::cos];
     return cost_of(plan.sum, part);
   }
-  double cost_of(Sum const &sum, Part part) const {
+  double cost_of(AngleSum const &sum, TrigFunction part) const {
     double const multiplication = costs_[Op::mul], addition = costs_[Op::add];
-    if (is_double(sum)) {
+    if (sum.is_double()) {
       if (part == sines) return 2 * multiplication + cost_of(sum.a, sines) + cost_of(sum.a, cosines);
       return 2 * multiplication + addition + std::min(cost_of(sum.a, sines), cost_of(sum.a, cosines));
     }
@@ -119,24 +174,22 @@ private:
     for (std::size_t of : {sum.a, sum.b}) cost += cost_of(of, sines) + cost_of(of, cosines);
     return cost;
   }
-  // Double angle: sin 2a = 2 s c, cos 2a = 1 - 2 s^2 or 2 c^2 - 1.
-  static bool is_double(Sum const &sum) { return sum.a == sum.b && sum.is_minus_a == sum.is_minus_b; }
 
   // A lower bound: parts that sine and cosine share are counted twice.
-  double saving(Plan const &plan) const {
+  double saving(AnglePlan const &plan) const {
     double saved = 0;
     if (plan.is_there[sines]) saved += costs_[Op::sin] - cost_of(plan.sum, sines);
     if (plan.is_there[cosines]) saved += costs_[Op::cos] - cost_of(plan.sum, cosines);
     return saved;
   }
 
-  void require(std::size_t angle, Part part) {
-    Plan &plan = plans[angle];
+  void require(std::size_t angle, TrigFunction part) {
+    AnglePlan &plan = plans[angle];
     if (std::exchange(plan.is_there[part], true) || !plan.is_derived) return;
-    require(Sum(plan.sum), part);
+    require(AngleSum(plan.sum), part);
   }
-  void require(Sum const &sum, Part part) {
-    if (is_double(sum) && part == cosines) {
+  void require(AngleSum const &sum, TrigFunction part) {
+    if (sum.is_double() && part == cosines) {
       require(sum.a, plans[sum.a].is_there[sines] || cost_of(sum.a, sines) < cost_of(sum.a, cosines) ? sines : cosines);
       return;
     }
@@ -172,48 +225,44 @@ public:
       if (std::size_t const plan = plan_of[node]; plan != plans_.size())
         now_[node] = part(plan, network_.function_of(network_[node]).op == Op::sin ? sines : cosines);
       else
-        now_[node] = result_.copy(network_, network_[node], [&](Literal old) { return now(old); });
+        now_[node] = result_.copy(network_, network_[node], now_);
     }
-    for (Literal root : network_.roots) result_.roots.push_back(now(root));
+    for (Literal root : network_.roots) result_.roots.push_back(now_(root));
     return std::move(result_);
   }
 
 private:
-  Literal now(Literal old) const { return now_[old.node()].negated_if(old.is_negative()); }
-
   // The weight bounds the recursion depth.
-  Literal part(std::size_t number, Part which) {
+  Literal part(std::size_t number, TrigFunction which) {
     std::optional<Literal> &known = made_[number][which];
     if (!known) known = make(plans_[number], which);
     return *known;
   }
 
-  Literal make(Plan const &plan, Part which) {
+  Literal make(AnglePlan const &plan, TrigFunction which) {
     if (!plan.is_derived) {
-      Literal const angle = plan.is_free ? made_of(plan.angle.form, result_, [&](Literal old) { return now(old); })
-                                         : now_[plan.angle.node];
+      Literal const angle = plan.is_free ? made_of(plan.angle.form, result_, now_) : now_[plan.angle.node];
       return result_.function({which == sines ? Op::sin : Op::cos, 1, {angle}});
     }
-    Sum const &sum = plan.sum;
-    bool const is_double = sum.a == sum.b && sum.is_minus_a == sum.is_minus_b;
+    AngleSum const &sum = plan.sum;
     Literal const two = result_.constant(2.0), one = result_.one();
-    if (is_double && which == cosines) {
+    if (sum.is_double() && which == cosines) {
       bool const by_sine = plans_[sum.a].is_there[sines];
       Literal const x = part(sum.a, by_sine ? sines : cosines);
       Literal const squares = result_.product(two, result_.product(x, x));
       return by_sine ? result_.sum(one, -squares) : result_.sum(squares, -one);
     }
     Literal const sine_a = part(sum.a, sines).negated_if(sum.is_minus_a), cosine_a = part(sum.a, cosines);
-    if (is_double) return result_.product(two, result_.product(sine_a, cosine_a));
+    if (sum.is_double()) return result_.product(two, result_.product(sine_a, cosine_a));
     Literal const sine_b = part(sum.b, sines).negated_if(sum.is_minus_b), cosine_b = part(sum.b, cosines);
     if (which == sines) return result_.sum(result_.product(sine_a, cosine_b), result_.product(cosine_a, sine_b));
     return result_.sum(result_.product(cosine_a, cosine_b), -result_.product(sine_a, sine_b));
   }
 
   Network const &network_;
-  std::vector<Plan> const &plans_;
+  std::vector<AnglePlan> const &plans_;
   std::vector<std::array<std::optional<Literal>, 2>> made_;
-  std::vector<Literal> now_;
+  LiteralMap now_;
   Network result_;
 };
 
@@ -240,13 +289,59 @@ void relate(std::vector<Angle> const &angles, Network const &network) {
 
 } // namespace
 
+AngleForm form_of(Network const &network, Index angle) {
+  constexpr int most_steps = 100;
+  std::map<Index, int> sum;
+  std::vector<std::pair<Literal, int>> open = {{Literal::of(angle), 4}};
+  for (int steps = 0; !open.empty(); ++steps) {
+    auto const [literal, signless] = open.back();
+    open.pop_back();
+    int const quarters = literal.is_negative() ? -signless : signless;
+    NetworkNode const &node = network[literal];
+    bool const first_is_number = node.kind == Kind::product && network[node.a].attribute == Attribute::constant;
+    bool const second_is_number = node.kind == Kind::product && network[node.b].attribute == Attribute::constant;
+    int const multiple = first_is_number    ? times(network[node.a], quarters)
+                         : second_is_number ? times(network[node.b], quarters)
+                                            : 0;
+    if (node.kind == Kind::sum) {
+      open.emplace_back(node.a, quarters);
+      open.emplace_back(node.b, quarters);
+    } else if (multiple != 0) {
+      open.emplace_back(first_is_number ? node.b : node.a, multiple);
+    } else {
+      sum[literal.node()] += quarters;
+    }
+    if (steps == most_steps) return {{angle, 4}};
+  }
+  return is_good(sum) ? listed(sum) : AngleForm{{angle, 4}};
+}
+
+std::vector<Angle> angles_of(Network const &network) {
+  std::vector<char> const live = live_nodes(network);
+  std::map<Index, Angle> angles;
+  for (Index node = 0; node < network.size(); ++node) {
+    if (!live[node] || network[node].kind != Kind::function || network[node].is_free()) continue;
+    OpaqueFunction const &function = network.function_of(network[node]);
+    if ((function.op != Op::sin && function.op != Op::cos) || function.origin != 0) continue;
+    Index const angle = function.operands[0].node();
+    (function.op == Op::sin ? angles[angle].sine : angles[angle].cosine) = node;
+  }
+  std::vector<Angle> result;
+  for (auto &[node, angle] : angles) {
+    angle.node = node;
+    angle.form = form_of(network, node);
+    result.push_back(std::move(angle));
+  }
+  return result;
+}
+
 Network with_angle_sums(Network const &network, CostModel const &costs) {
   std::vector<Angle> const angles = angles_of(network);
   constexpr std::size_t most_angles = 200; // all pairs are tried
   if (angles.size() > most_angles || !are_related(angles, network)) return network;
   relate(angles, network);
   Planning const planning(network, costs);
-  for (Plan const &plan : planning.plans)
+  for (AnglePlan const &plan : planning.plans)
     if (plan.is_free) relate(plan.angle.form, network);
   return Substitution(network, planning).run();
 }

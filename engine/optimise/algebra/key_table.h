@@ -1,7 +1,7 @@
 // Hash table from 64-bit keys of nearly uniform distribution to numbers.
 #pragma once
 
-#include "engine/optimise/algebra/prime_field.h"
+#include "engine/optimise/algebra/value.h"
 
 #include <cstddef>
 #include <cstdint>

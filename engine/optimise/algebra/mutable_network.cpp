@@ -1,8 +1,5 @@
 #include "engine/optimise/algebra/mutable_network.h"
 
-#include <algorithm>
-#include <utility>
-
 namespace symreal::algebra {
 
 // The length of the largest window of the search.
@@ -129,9 +126,8 @@ void MutableNetwork::replace(Index node, Kind kind, Literal a, Literal b) {
 // Copies operands before users, whose order `replace` may have broken.
 Network MutableNetwork::finished() const {
   Network result(source_.context());
-  std::vector<Literal> now(nodes_.size());
+  LiteralMap now(nodes_.size());
   std::vector<char> is_done(nodes_.size(), 0);
-  auto map = [&](Literal old) { return now[old.node()].negated_if(old.is_negative()); };
   for (Literal root : roots_) {
     std::vector<Index> open = {root.node()};
     while (!open.empty()) {
@@ -144,10 +140,10 @@ Network MutableNetwork::finished() const {
       if (open.size() != before) continue;
       open.pop_back();
       if (std::exchange(is_done[at], char{1})) continue;
-      now[at] = result.copy(source_, nodes_[at], map);
+      now[at] = result.copy(source_, nodes_[at], now);
     }
   }
-  for (Literal root : roots_) result.roots.push_back(map(root));
+  for (Literal root : roots_) result.roots.push_back(now(root));
   return result;
 }
 

@@ -4,8 +4,6 @@
 #include "engine/optimise/algebra/key_table.h"
 #include "engine/optimise/algebra/network.h"
 
-#include <utility>
-
 namespace symreal::algebra {
 
 class MutableNetwork {

@@ -3,10 +3,8 @@
 #include "engine/optimise/algebra/angle_sums.h"
 #include "engine/optimise/algebra/base_parameters.h"
 #include "engine/optimise/algebra/graph_network.h"
-#include "engine/optimise/algebra/reciprocals.h"
 #include "engine/optimise/algebra/search.h"
 
-#include <algorithm>
 #include <fmt/format.h>
 #include <utility>
 

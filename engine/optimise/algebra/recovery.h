@@ -3,7 +3,7 @@
 
 #include "engine/diagnostics/diagnostic.h"
 #include "engine/graph/graph.h"
-#include "engine/ops/cost_model.h"
+#include "engine/ops/operation.h"
 
 namespace symreal::algebra {
 

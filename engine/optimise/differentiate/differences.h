@@ -4,9 +4,9 @@
 #pragma once
 
 #include "engine/graph/graph.h"
-#include "engine/optimise/differentiate/addends.h"
 #include "engine/optimise/differentiate/point_differences.h"
 #include "engine/optimise/differentiate/request.h"
+#include "engine/optimise/differentiate/structure.h"
 
 #include <span>
 #include <vector>

@@ -1,12 +1,9 @@
 #include "engine/optimise/differentiate/differentiate.h"
 
 #include "engine/graph/implicit.h"
-#include "engine/graph/opaque.h"
-#include "engine/optimise/differentiate/calls.h"
-#include "engine/optimise/differentiate/matrix.h"
-#include "engine/optimise/differentiate/path.h"
+#include "engine/graph/statistics.h"
+#include "engine/ops/operation.h"
 #include "engine/optimise/differentiate/request.h"
-#include "engine/optimise/differentiate/stored_matrix.h"
 #include "engine/optimise/differentiate/sweeps.h"
 
 #include <algorithm>
@@ -16,6 +13,84 @@
 namespace symreal {
 
 namespace {
+
+// Derivative matrices as lists of structurally nonzero elements.
+struct MatrixElement {
+  std::uint32_t row, column;
+  NodeId node;
+};
+using MatrixElements = std::vector<MatrixElement>; // row-major
+
+enum class Way : std::uint8_t { forward, reverse };
+
+void sort_by_row(MatrixElements &elements) {
+  std::ranges::sort(elements, {}, [](MatrixElement const &one) { return std::pair(one.row, one.column); });
+}
+
+MatrixElements mirrored(MatrixElements const &elements) {
+  MatrixElements result;
+  for (auto const &[row, column, node] : elements) {
+    if (row >= column) result.push_back({row, column, node});
+    if (row > column) result.push_back({column, row, node});
+  }
+  sort_by_row(result);
+  return result;
+}
+
+// Jacobian of the nodes `rows` by the input slots `columns`.
+MatrixElements jacobian_by(Way way, Graph &graph, std::vector<NodeId> const &rows,
+                           std::vector<std::uint32_t> const &columns) {
+  std::vector<char> const carries = find_path(graph, rows, columns).carries;
+  Expressions expressions(graph);
+  MatrixElements elements;
+  NodeId const one = expressions.constant(1);
+  auto const add = [&](std::size_t row, std::size_t column, NodeId node) {
+    Node const found = node == no_node ? Node::constant(0) : expressions.node(node);
+    if (!found.is_constant() || found.value() != 0)
+      elements.push_back({static_cast<std::uint32_t>(row), static_cast<std::uint32_t>(column), node});
+  };
+  if (way == Way::reverse) {
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      auto const row = reverse_sweep(expressions, carries, {&rows[i], 1}, {&one, 1}, graph.input_count());
+      for (std::size_t j = 0; j < columns.size(); ++j) add(i, j, row[columns[j]]);
+    }
+  } else {
+    for (std::size_t j = 0; j < columns.size(); ++j) {
+      std::vector<NodeId> direction(graph.input_count(), no_node);
+      direction[columns[j]] = one;
+      auto const column = forward_sweep(expressions, carries, rows, direction);
+      for (std::size_t i = 0; i < rows.size(); ++i) add(i, j, column[i]);
+    }
+    sort_by_row(elements);
+  }
+  expressions.finish();
+  return elements;
+}
+
+// Jacobian by the mode that costs less by the cost table. The lower triangle of a symmetric matrix is mirrored.
+MatrixElements cheapest_jacobian(Graph &graph, std::vector<NodeId> const &rows,
+                                 std::vector<std::uint32_t> const &columns, bool is_symmetric = false) {
+  if (rows.size() == 1 || columns.size() == 1)
+    return jacobian_by(rows.size() == 1 ? Way::reverse : Way::forward, graph, rows, columns);
+  auto const made = [&](Way way) {
+    std::pair<Graph, MatrixElements> result{graph, {}};
+    result.second = jacobian_by(way, result.first, rows, columns);
+    if (is_symmetric) result.second = mirrored(result.second);
+    return result;
+  };
+  auto const cost = [](std::pair<Graph, MatrixElements> const &one) {
+    Graph with = one.first;
+    for (MatrixElement const &element : one.second) with.results.push_back(element.node);
+    OperationCounts const counts = live_operations(with);
+    double sum = 0;
+    for (OperationInfo const &row : operations()) sum += usual_costs()[row.op] * static_cast<double>(counts[row.op]);
+    return sum;
+  };
+  std::pair<Graph, MatrixElements> forward = made(Way::forward), reverse = made(Way::reverse);
+  std::pair<Graph, MatrixElements> &best = cost(reverse) < cost(forward) ? reverse : forward;
+  graph = std::move(best.first);
+  return std::move(best.second);
+}
 
 Place place_or(Graph const &graph, NodeId id, Place const &otherwise) {
   Place const place = place_of(graph, id);
@@ -102,13 +177,41 @@ std::vector<NodeId> product(Way way, Graph &graph, DerivativeRequest const &requ
   return elements;
 }
 
+// Adds a derivative matrix as an output: dense, the lower triangle, or nonzeros only. Throws matrix_too_large.
 void add_matrix(Graph &graph, DerivativeRequest const &request, MatrixElements elements) {
-  StoredMatrix stored = store(graph, request, std::move(elements));
-  stored.matrix.output = static_cast<std::uint32_t>(graph.outputs.size());
-  add_object(graph.outputs, request.name, request.is_packed() ? std::vector{stored.results.size()} : request.extents(),
-             request.place);
-  graph.results.insert(graph.results.end(), stored.results.begin(), stored.results.end());
-  graph.matrices.push_back(std::move(stored.matrix));
+  constexpr std::size_t most_elements = std::size_t{1} << 20; // each appears in the generated code
+  std::vector<std::size_t> const extents = request.extents();
+  if (request.is_symmetric)
+    std::erase_if(elements, [](MatrixElement const &element) { return element.column > element.row; });
+  std::size_t const whole = request.is_symmetric ? extents[0] * (extents[0] + 1) / 2 : extents[0] * extents[1];
+  std::size_t const count = request.is_sparse ? elements.size() : whole;
+  if (count > most_elements)
+    fail(DiagnosticId::matrix_too_large, request.place,
+         request.name + " would store " + std::to_string(count) +
+             (request.is_sparse ? " numbers that are not zero by structure" : " numbers") + "; the most are " +
+             std::to_string(most_elements));
+  DerivativeMatrix matrix{static_cast<std::uint32_t>(graph.outputs.size()), static_cast<std::uint32_t>(extents[0]),
+                          static_cast<std::uint32_t>(extents[1]), request.is_packed(), request.is_symmetric};
+  if (request.is_sparse) {
+    for (auto const &[row, column, node] : elements) {
+      graph.results.push_back(node);
+      matrix.row.push_back(row), matrix.column.push_back(column);
+    }
+  } else {
+    Expressions expressions(graph);
+    NodeId const zero = expressions.constant(0);
+    expressions.finish();
+    auto next = elements.begin();
+    for (std::uint32_t i = 0; i < matrix.rows; ++i)
+      for (std::uint32_t j = 0; j < (matrix.is_symmetric ? i + 1 : matrix.columns); ++j) {
+        bool const is_there = next != elements.end() && next->row == i && next->column == j;
+        graph.results.push_back(is_there ? next->node : zero);
+        if (is_there || matrix.is_symmetric) matrix.row.push_back(i), matrix.column.push_back(j);
+        next += is_there;
+      }
+  }
+  add_object(graph.outputs, request.name, request.is_packed() ? std::vector{count} : extents, request.place);
+  graph.matrices.push_back(std::move(matrix));
 }
 
 void add_derivative(Graph &graph, DerivativeRequest const &request, std::size_t recorded, Report const &report) {
@@ -158,6 +261,16 @@ Graph derivatives_of(Graph graph, std::size_t own_outputs) {
   graph.states.clear(); // their time derivatives are among the erased outputs
   graph.derivatives_alone = true;
   return graph;
+}
+
+std::vector<double> unpacked(DerivativeMatrix const &matrix, std::span<double const> stored) {
+  if (!matrix.is_packed) return {stored.begin(), stored.end()};
+  std::vector<double> whole(std::size_t{matrix.rows} * matrix.columns, 0);
+  for (std::size_t k = 0; k < stored.size(); ++k) {
+    whole[std::size_t{matrix.row[k]} * matrix.columns + matrix.column[k]] = stored[k];
+    if (matrix.is_symmetric) whole[std::size_t{matrix.column[k]} * matrix.columns + matrix.row[k]] = stored[k];
+  }
+  return whole;
 }
 
 } // namespace symreal

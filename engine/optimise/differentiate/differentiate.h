@@ -6,6 +6,7 @@
 #include "engine/graph/graph.h"
 
 #include <span>
+#include <vector>
 
 namespace symreal {
 
@@ -16,5 +17,8 @@ Graph differentiate(Graph graph, std::span<DerivativeWish const> wishes, Report 
 
 // The derivatives alone, without the graph's first `own_outputs` outputs.
 Graph derivatives_of(Graph graph, std::size_t own_outputs);
+
+// The whole matrix, row-major, from its stored elements.
+std::vector<double> unpacked(DerivativeMatrix const &matrix, std::span<double const> stored);
 
 } // namespace symreal

@@ -1,7 +1,8 @@
-// Reference derivatives by dual numbers over the recorded graph.
+// Reference derivatives by dual numbers over the recorded graph, in extended precision. Shares the rows of the
+// operation table with differentiate.h, but neither the sweeps nor the expressions.
 #pragma once
 
-#include "engine/optimise/differentiate/point_duals.h"
+#include "engine/graph/evaluate.h"
 #include "engine/optimise/differentiate/request.h"
 #include "engine/optimise/differentiate/structure.h"
 
@@ -10,9 +11,11 @@
 
 namespace symreal {
 
+class PointDuals;
+
 class DualNumbers {
 public:
-  using Vector = PointDuals::Vector;
+  using Vector = std::vector<long double>;
 
   // `graph` outlives this object. If it calls functions, add_derivative_functions has appended their derivatives.
   DualNumbers(Graph const &graph, std::vector<DerivativeRequest> requests, CallExternal call = {});

@@ -1,7 +1,5 @@
 #include "engine/optimise/differentiate/expressions.h"
 
-#include "engine/graph/opaque.h"
-
 #include <cmath>
 
 namespace symreal {

@@ -7,9 +7,7 @@
 
 #include "engine/graph/graph.h"
 #include "engine/graph/node_table.h"
-#include "engine/optimise/differentiate/calls.h"
 #include "engine/optimise/differentiate/rules.h"
-#include "engine/optimise/passes/term.h"
 
 namespace symreal {
 
@@ -22,7 +20,6 @@ public:
 
   // The original graph.
   Graph const &graph() const { return graph_; }
-  std::size_t size() const { return table_.size(); }
   Node node(NodeId id) const { return table_[id]; }
   // Gives nodes created from now on the source location of node `id`.
   void place_at(NodeId id);
@@ -34,9 +31,9 @@ public:
   NodeId product(NodeId a, NodeId b);
   NodeId quotient(NodeId a, NodeId b); // b is not no_node
   NodeId negative(NodeId a);
-  // Truth value of |a| > |b|, and the select that uses it.
+  NodeId select(NodeId condition, NodeId yes, NodeId no);
+  // Truth value of |a| > |b|.
   NodeId is_larger_magnitude(NodeId a, NodeId b);
-  NodeId choice(NodeId condition, NodeId yes, NodeId no) { return select(condition, yes, no); }
   // Calls `use(operand, partial)` for each operand of original node `id` that has a derivative formula; `partial()`
   // builds the partial derivative.
   template <class Use> void for_each_slope(NodeId id, Use const &use) {
@@ -49,18 +46,17 @@ public:
     for (std::size_t i = 0; i < arity(node.op); ++i)
       if (slope_of(node.op, i) == Slope::formula) use(node.operand[i], [&] { return partial(id, i); });
   }
-  // Partial derivative of node `id` by its operand `i`, which has a formula.
-  NodeId partial(NodeId id, std::size_t i);
   // The node; a constant 0 for no_node.
   NodeId number(NodeId id) { return id == no_node ? constant(0) : id; }
 
 private:
+  // Partial derivative of node `id` by its operand `i`, which has a formula.
+  NodeId partial(NodeId id, std::size_t i);
   NodeId partial_of_call(NodeId id, std::size_t i);
   NodeId operation(Op op, NodeId a, NodeId b = no_node, NodeId c = no_node);
   NodeId simplified(Op op, NodeId a, NodeId b, NodeId c);
   NodeId made_of(Term const &term, Node const &node, NodeId result);
   NodeId product_within(NodeId a, NodeId b, int depth);
-  NodeId select(NodeId condition, NodeId yes, NodeId no);
   NodeId intern(Op op, NodeId a, NodeId b, NodeId c);
   bool is(NodeId id, double value) const { return table_[id].is_constant() && table_[id].value() == value; }
   bool is(NodeId id, Op op) const { return table_[id].op == op; }

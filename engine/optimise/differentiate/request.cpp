@@ -1,10 +1,9 @@
 #include "engine/optimise/differentiate/request.h"
 
 #include "engine/graph/names.h"
-#include "engine/support/items.h"
+#include "engine/support/text.h"
 
 #include <algorithm>
-#include <optional>
 
 namespace symreal {
 
@@ -54,7 +53,7 @@ std::string joined(std::string text, std::vector<std::string> const &names) {
   return text;
 }
 
-struct Found {
+struct NamedSlots {
   std::vector<std::string> names;
   std::vector<std::uint32_t> slots;
 };
@@ -72,10 +71,10 @@ bool has(std::vector<Object> const &objects, std::string const &name) {
   return find(name, objects, identifiers(objects)) != objects.size();
 }
 
-Found find(std::vector<std::string> const &wanted, std::vector<Object> const &objects, DerivativeWish const &wish,
-           std::string const &what) {
+NamedSlots find(std::vector<std::string> const &wanted, std::vector<Object> const &objects, DerivativeWish const &wish,
+                std::string const &what) {
   std::vector<std::string> const known = identifiers(objects);
-  Found found;
+  NamedSlots found;
   for (std::string const &name : wanted) {
     std::size_t const k = find(name, objects, known);
     if (k == objects.size()) {
@@ -122,8 +121,8 @@ DerivativeRequest read_request(DerivativeWish const &wish, Graph const &graph) {
   if (open == whole.npos || !whole.ends_with(')') || kind == kinds.end())
     refuse(wish, "this is none of jacobian(y, x), gradient(y), hessian(y, x), jvp(y, x) and vjp(y, x)");
   std::vector<std::string> const items = items_of(whole.substr(open + 1, whole.size() - open - 2));
-  Found const outputs = find(names_of(items[0]), graph.outputs, wish, "output");
-  Found inputs;
+  NamedSlots const outputs = find(names_of(items[0]), graph.outputs, wish, "output");
+  NamedSlots inputs;
   DerivativeRequest request;
   request.kind = static_cast<DerivativeKind>(kind - kinds.begin());
   std::size_t const words = items.size() > 1 && (!word_of(request, items[1]) || has(graph.inputs, items[1])) ? 2 : 1;

@@ -1,6 +1,9 @@
-// Derivative rules of the operation table: a formula per operand, or the reason for its absence.
+// Derivative rules: of operations, a formula of the operation table per operand or the reason for its absence; and of
+// calls of program functions whose derivatives the program provides, where each result depends on the numeric
+// arguments.
 #pragma once
 
+#include "engine/graph/graph.h"
 #include "engine/optimise/passes/term.h"
 
 namespace symreal {
@@ -18,5 +21,15 @@ Slope slope_of(Op op, std::size_t i);
 Term const &derivative_of(Op op, std::size_t i);
 // Whether the operation jumps although it has a formula between the jumps, as fmod does.
 bool jumps_between(Op op);
+
+// Appends the derivative functions of the called functions to the graph's externals, once each.
+void add_derivative_functions(Graph &graph);
+// Index of a function's derivative among the externals; their count if absent.
+std::size_t derivative_function(Graph const &graph, std::size_t function);
+
+// Numeric arguments of the call whose result is node `id`; empty if the function has no derivative.
+std::vector<NodeId> differentiable_arguments(Graph const &graph, NodeId id);
+// Index of the derivative call's result that is the partial of result `id` by the first numeric argument.
+std::size_t first_partial(Graph const &graph, NodeId id);
 
 } // namespace symreal

@@ -8,9 +8,9 @@ namespace {
 
 // Iterative deepening over ascending chains (Knuth, The Art of Computer Programming, volume 2, 4.6.3). A chain that has
 // passed a wanted number never reaches it.
-class Search {
+class ChainSearch {
 public:
-  Search(std::vector<int> const &given, std::vector<int> const &wanted) : wanted_(wanted), chain_(given) {}
+  ChainSearch(std::vector<int> const &given, std::vector<int> const &wanted) : wanted_(wanted), chain_(given) {}
 
   bool run(std::size_t most_additions) {
     for (std::size_t additions = 0; additions <= most_additions && steps_ < most_steps; ++additions)
@@ -52,9 +52,9 @@ private:
   int steps_ = 0;
 };
 
-class Binary {
+class BinaryMethod {
 public:
-  explicit Binary(std::vector<int> const &given) : unit_(given.front()), known_(given) {}
+  explicit BinaryMethod(std::vector<int> const &given) : unit_(given.front()), known_(given) {}
 
   void reach(int number) {
     if (std::ranges::find(known_, number) != known_.end()) return;
@@ -77,9 +77,9 @@ private:
 std::vector<Addition> addition_sequence(std::vector<int> given, std::vector<int> wanted) {
   std::ranges::sort(given);
   std::ranges::sort(wanted);
-  Binary binary(given);
+  BinaryMethod binary(given);
   for (int number : wanted) binary.reach(number);
-  Search search(given, wanted);
+  ChainSearch search(given, wanted);
   return search.run(binary.made.size()) ? search.made : binary.made;
 }
 

@@ -86,16 +86,6 @@ double longest(std::vector<double> const &paths) { return paths.empty() ? 0 : *s
 
 } // namespace
 
-double work(Graph const &graph, CostModel const &costs) {
-  std::vector<char> const live = live_nodes(graph);
-  double sum = 0;
-  for (NodeId id = 0; id < graph.nodes.size(); ++id) {
-    Node const &node = graph.nodes[id];
-    if (live[id] && !is_leaf(node.op) && node.attribute == Attribute::variable) sum += costs[node.op];
-  }
-  return sum;
-}
-
 double span(Graph const &graph, CostModel const &costs) { return longest(paths_through(graph, costs)); }
 
 // Balances sums and products where this shortens the critical path; the work stays the same.

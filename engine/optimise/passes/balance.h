@@ -1,7 +1,7 @@
 // Balance of sums and products: expression trees of the least depth.
 #pragma once
 
-#include "engine/ops/cost_model.h"
+#include "engine/ops/operation.h"
 #include "engine/optimise/passes/groups.h"
 
 namespace symreal {
@@ -12,7 +12,7 @@ public:
   using Begin = std::function<double(Node const &node)>;
   Balance(CostModel const &costs, Begin begin) : costs_(costs), begin_(std::move(begin)) {}
 
-  // Terms ready at -infinity combine in source order. Of the others the two that are ready first combine first, as in
+  // Terms ready at -infinity combine in source order. The two others that are ready first combine first, as in
   // Huffman's code: no tree is ready earlier.
   SignedNode operator()(Group const &group, NodeTable &table);
 
@@ -30,8 +30,7 @@ private:
   std::vector<double> times_; // per node
 };
 
-// Cost of all operations that depend on inputs, and of those on the longest path from the inputs to an output.
-double work(Graph const &graph, CostModel const &costs);
+// Cost of the operations on the longest path from the inputs to an output.
 double span(Graph const &graph, CostModel const &costs);
 
 } // namespace symreal

@@ -11,16 +11,10 @@ class Groups {
 public:
   explicit Groups(Graph const &graph)
       : graph_(graph),
-        uses_(graph.nodes.size(), 0),
+        uses_(use_counts(graph)),
         number_(graph.nodes.size(), no_group),
         is_inside_(graph.nodes.size(), 0) {
     std::vector<char> const live = live_nodes(graph);
-    for (NodeId id = 0; id < graph.nodes.size(); ++id) {
-      if (!live[id] || is_leaf(graph.nodes[id].op)) continue;
-      for (NodeId operand : graph.nodes[id].operand)
-        if (operand != no_node) ++uses_[operand];
-    }
-    for_each_root(graph, [&](NodeId root) { ++uses_[root]; });
     for (auto id = static_cast<NodeId>(graph.nodes.size()); id-- > 0;) {
       if (!live[id] || is_inside_[id] || !is_regrouped(id)) continue;
       Op const op = graph.nodes[id].op == Op::sub ? Op::add : graph.nodes[id].op;
@@ -70,6 +64,18 @@ private:
 };
 
 } // namespace
+
+std::vector<std::uint32_t> use_counts(Graph const &graph) {
+  std::vector<std::uint32_t> uses(graph.nodes.size(), 0);
+  std::vector<char> const live = live_nodes(graph);
+  for (std::size_t id = 0; id < graph.nodes.size(); ++id) {
+    if (!live[id] || is_leaf(graph.nodes[id].op)) continue;
+    for (NodeId operand : graph.nodes[id].operand)
+      if (operand != no_node) ++uses[operand];
+  }
+  for_each_root(graph, [&](NodeId root) { ++uses[root]; });
+  return uses;
+}
 
 SignedNode combined(Op op, SignedNode a, SignedNode b, NodeTable &table) {
   bool const differ = a.is_negative != b.is_negative, is_sum = op == Op::add;

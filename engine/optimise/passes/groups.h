@@ -23,6 +23,9 @@ struct Group {
   std::vector<SignedNode> terms;
 };
 
+// Number of uses of each node by live operations and roots.
+std::vector<std::uint32_t> use_counts(Graph const &graph);
+
 // Sum, difference or product of two terms as one operation; the result carries the remaining sign.
 SignedNode combined(Op op, SignedNode a, SignedNode b, NodeTable &table);
 

@@ -4,8 +4,8 @@
 // Facts after some guards: the possible outcomes of comparing a pair of operands, the interval of an operand compared
 // with constants, and the truth of any other condition. A conjunction gives two facts. The static range of an operand
 // counts too: a clamped index needs no guard.
-#include "engine/graph/relations.h"
 #include "engine/graph/value_range.h"
+#include "engine/ops/operation.h"
 #include "engine/optimise/passes/pass.h"
 
 #include <cmath>

@@ -1,5 +1,5 @@
 #include "engine/optimise/passes/pass.h"
-#include "engine/optimise/passes/sweep.h"
+#include "engine/optimise/passes/rule.h"
 
 namespace symreal {
 

@@ -9,7 +9,7 @@ namespace symreal {
 Graph pass_latency(Graph graph, PassSettings const &settings) {
   constexpr double beside_each = 16;
   if (!settings.searches) return graph;
-  bool const waits = span(graph, settings.costs) * beside_each > work(graph, settings.costs);
+  bool const waits = span(graph, settings.costs) * beside_each > algebra::cost_of(graph, settings.costs);
   return waits ? pass_balance(std::move(graph), settings) : graph;
 }
 

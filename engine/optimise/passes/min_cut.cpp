@@ -12,9 +12,9 @@ using Flow = std::int64_t;
 constexpr Flow unlimited = std::numeric_limits<Flow>::max() / 4;
 
 // Dinic's maximum flow: augments along all shortest paths of one length at once. Iterative, since paths are long.
-class Network {
+class FlowNetwork {
 public:
-  explicit Network(std::size_t nodes) : first_(nodes, none) {}
+  explicit FlowNetwork(std::size_t nodes) : first_(nodes, none) {}
 
   void add(std::uint32_t from, std::uint32_t to, Flow capacity) {
     for (auto const &[tail, head, room] : {Edge{from, to, capacity}, Edge{to, from, 0}}) {
@@ -98,7 +98,7 @@ void Closure::require(Item item, Item needed) { needs_.push_back({item, needed})
 std::vector<char> Closure::best() const {
   constexpr double parts = 1024; // of one unit of profit
   auto const count = static_cast<std::uint32_t>(profits_.size()), source = count, sink = count + 1;
-  Network network(count + std::size_t{2});
+  FlowNetwork network(count + std::size_t{2});
   for (std::uint32_t item = 0; item < count; ++item) {
     Flow const profit = std::llround(profits_[item] * parts);
     if (profit > 0) network.add(source, item, profit);

@@ -1,4 +1,4 @@
-#include "engine/graph/node_table.h"
+#include "engine/optimise/passes/groups.h"
 #include "engine/optimise/passes/pass.h"
 
 namespace symreal {
@@ -7,15 +7,7 @@ namespace symreal {
 // that `neg` is the node's only use, this pass computes the negative directly: -(a - b) becomes b - a, -(a * k) becomes
 // a * -k. It reverses the rules of `signs`, so it runs once, at the end.
 Graph pass_negations(Graph graph, PassSettings const &settings) {
-  std::vector<std::uint32_t> uses(graph.nodes.size(), 0);
-  std::vector<char> live = live_nodes(graph);
-  for (std::size_t id = 0; id < graph.nodes.size(); ++id) {
-    Node const &node = graph.nodes[id];
-    if (!live[id] || is_leaf(node.op)) continue;
-    for (NodeId operand : node.operand)
-      if (operand != no_node) ++uses[operand];
-  }
-  for_each_root(graph, [&](NodeId root) { ++uses[root]; });
+  std::vector<std::uint32_t> const uses = use_counts(graph);
 
   // The negative of `node` as one operation, else nullopt. b - a for -(a - b) differs in the sign of zero.
   NodeTable table;

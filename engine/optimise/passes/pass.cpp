@@ -1,6 +1,6 @@
 #include "engine/optimise/passes/pass.h"
-#include "engine/graph/implicit.h"
 
+#include "engine/graph/implicit.h"
 #include "engine/graph/validate.h"
 
 #include <algorithm>

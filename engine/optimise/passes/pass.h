@@ -4,8 +4,8 @@
 
 #include "engine/diagnostics/diagnostic.h"
 #include "engine/graph/graph.h"
-#include "engine/ops/cost_model.h"
 #include "engine/ops/floating_point.h"
+#include "engine/ops/operation.h"
 #include "engine/optimise/algebra/recovery.h"
 
 #include <span>
@@ -28,7 +28,7 @@ struct PassSettings {
   int effort;           // of pass `recover`: algebra/recovery.h
   bool searches = true; // false: pass `recover` stops after its first step, which preserves repetition
   CostModel costs;
-  RewriteLimit *limit = nullptr; // for passes that rewrite node by node: sweep.h
+  RewriteLimit *limit = nullptr; // for passes that rewrite node by node: rule.h
   Report tell = {};              // for remarks to the user
 };
 

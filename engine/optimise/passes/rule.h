@@ -1,11 +1,13 @@
-// Rewrite rules, read from rules.def, and their matching.
+// Rewrite rules, read from rules.def, their matching, and the sweep that applies them.
 #pragma once
 
+#include "engine/graph/graph.h"
 #include "engine/graph/node_table.h"
 #include "engine/ops/floating_point.h"
 #include "engine/optimise/passes/term.h"
 
 #include <array>
+#include <limits>
 #include <span>
 #include <string_view>
 
@@ -39,5 +41,25 @@ bool holds_for_value(Condition condition, double k);
 
 // Canonical operand order of a commutative operation: older nodes first, constants last.
 bool is_newer(NodeId a, NodeId b, NodeTable const &table);
+
+// Budget of rewrites, after which nodes stay unchanged; serves to bisect for a wrong rewrite.
+struct RewriteLimit {
+  std::size_t most = std::numeric_limits<std::size_t>::max();
+  std::size_t done = 0;
+  Rule const *last = nullptr; // rule of the last rewrite; null if constants were folded
+  NodeId last_node = no_node; // node that it replaced, in the input graph
+};
+
+struct SweepOptions {
+  FloatingPoint mode = FloatingPoint::finite;
+  unsigned topics = 0;          // bit set of Topic
+  bool fold = false;            // evaluate operations on constants, calling the libm of this process
+  bool canonical_order = false; // order commutative operands, so that a+b and b+a are one node
+  RewriteLimit *limit = nullptr;
+};
+
+// One sweep over a graph in topological order: rebuilds each node from its simplified operands, by rule, by folding, or
+// unchanged. The result is hash-consed.
+Graph sweep(Graph const &graph, SweepOptions const &options);
 
 } // namespace symreal

@@ -10,9 +10,9 @@ namespace {
 
 using Value = NumberedValue;
 
-class Check {
+class LaneCheck {
 public:
-  Check(Function const &function, LaneFunction const &lanes) : function_(function), lanes_(lanes) {}
+  LaneCheck(ScalarFunction const &function, LaneFunction const &lanes) : function_(function), lanes_(lanes) {}
 
   std::string run() {
     std::size_t const count = function_.graph().nodes.size();
@@ -109,7 +109,7 @@ private:
     return {};
   }
 
-  Function const &function_;
+  ScalarFunction const &function_;
   LaneFunction const &lanes_;
   Numbering numbering_;
   std::vector<Value> expected_, alone_;
@@ -118,8 +118,8 @@ private:
 
 } // namespace
 
-std::string find_difference(Function const &function, LaneFunction const &lanes) {
-  return Check(function, lanes).run();
+std::string find_difference(ScalarFunction const &function, LaneFunction const &lanes) {
+  return LaneCheck(function, lanes).run();
 }
 
 } // namespace symreal::lanes

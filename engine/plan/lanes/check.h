@@ -4,11 +4,11 @@
 // node that it represents, and each result must be stored.
 #pragma once
 
-#include "engine/plan/lanes/function.h"
+#include "engine/plan/lanes/scalar_function.h"
 
 namespace symreal::lanes {
 
 // Description of the first difference; empty if the vectors are correct.
-std::string find_difference(Function const &function, LaneFunction const &lanes);
+std::string find_difference(ScalarFunction const &function, LaneFunction const &lanes);
 
 } // namespace symreal::lanes

@@ -4,6 +4,7 @@
 #include "engine/plan/schedule/schedule.h"
 
 #include <array>
+#include <string_view>
 #include <vector>
 
 namespace symreal::lanes {
@@ -29,6 +30,9 @@ struct Vector {
   Array array = Array::input;
   std::size_t first = 0; // of a load
 };
+
+// The forms as the text form of a plan spells them, in the order of the enumerators; an operation has its own name.
+inline constexpr std::array<std::string_view, 6> form_names = {"", "constants", "splat", "load", "shuffle", "build"};
 
 struct Lane {
   VectorId vector = no_vector;
@@ -60,5 +64,10 @@ struct LaneFunction {
   // Whether a scalar store stores the result.
   bool is_stored_alone(std::size_t slot) const;
 };
+
+class ScalarFunction;
+struct Found;
+// Lane program of the vectors that the search found (search.h): their sources and order.
+LaneFunction lane_function(ScalarFunction const &function, Found const &found);
 
 } // namespace symreal::lanes

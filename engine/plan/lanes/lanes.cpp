@@ -1,7 +1,7 @@
 #include "engine/plan/lanes/lanes.h"
 
 #include "engine/plan/lanes/check.h"
-#include "engine/plan/lanes/program.h"
+#include "engine/plan/lanes/search.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -13,7 +13,9 @@ namespace {
 // Limit on operations: the search takes superlinear time, and so do compilers on one function.
 constexpr std::size_t most_operations = 3000;
 
-std::string obstacle(Schedule const &plan) {
+} // namespace
+
+std::string obstacle_to_lanes(Schedule const &plan) {
   std::vector<char> const live = live_nodes(*plan.graph);
   std::size_t operations = 0;
   for (NodeId id = 0; id < plan.graph->nodes.size(); ++id) {
@@ -29,11 +31,9 @@ std::string obstacle(Schedule const &plan) {
   return {};
 }
 
-} // namespace
-
 Laned laned(Schedule const &plan, std::size_t width) {
-  if (std::string why = obstacle(plan); !why.empty()) return {{}, std::move(why)};
-  lanes::Function const function(plan, width);
+  if (std::string why = obstacle_to_lanes(plan); !why.empty()) return {{}, std::move(why)};
+  lanes::ScalarFunction const function(plan, width);
   lanes::LaneFunction found = lanes::lane_function(function, lanes::search(function));
   if (found.in_lanes == 0) return {{}, "no operations are worth computing side by side"};
   internal_check(lanes::find_difference(function, found).empty());

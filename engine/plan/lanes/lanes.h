@@ -19,6 +19,9 @@ struct Laned {
   std::string why_not = {}; // the reason, if it has no vectors
 };
 
+// Reason why compute cannot have vectors; empty if it can.
+std::string obstacle_to_lanes(Schedule const &plan);
+
 // Function compute of the schedule with vectors of `width` numbers. The result is always proved (check.h).
 Laned laned(Schedule const &plan, std::size_t width);
 

@@ -1,9 +1,10 @@
 // Packs: the vectors of a function during the search, with the sources of those that are not operations.
 #pragma once
 
-#include "engine/plan/lanes/function.h"
+#include "engine/plan/lanes/scalar_function.h"
 
 #include <map>
+#include <optional>
 
 namespace symreal::lanes {
 
@@ -26,7 +27,7 @@ struct Source {
 
 class Packs {
 public:
-  explicit Packs(Function const &function) : function_(function), places_(function.graph().nodes.size()) {}
+  explicit Packs(ScalarFunction const &function) : function_(function), places_(function.graph().nodes.size()) {}
 
   struct Pack {
     std::vector<NodeId> nodes;
@@ -61,7 +62,7 @@ private:
   std::optional<Source> from_parts(std::vector<NodeId> const &nodes, Source::Part const &first,
                                    std::vector<Source::Part> const &others) const;
 
-  Function const &function_;
+  ScalarFunction const &function_;
   std::vector<Pack> packs_;
   std::map<std::vector<NodeId>, VectorId> by_nodes_;
   std::vector<std::vector<Lane>> places_; // per node

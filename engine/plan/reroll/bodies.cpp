@@ -1,9 +1,6 @@
 #include "engine/plan/reroll/bodies.h"
 
 #include "engine/graph/evaluate.h"
-#include "engine/graph/node_table.h"
-#include "engine/plan/reroll/body_builder.h"
-#include "engine/plan/reroll/nest.h"
 #include "engine/plan/reroll/recurrences.h"
 #include "engine/plan/reroll/roles.h"
 #include "engine/plan/reroll/signs.h"
@@ -16,10 +13,6 @@
 namespace symreal::reroll {
 
 namespace {
-
-bool same(Access const &a, Access const &b) {
-  return a.first == b.first && a.step == b.step && a.elements == b.elements;
-}
 
 bool is_on_circle(Leaf const &leaf) { return leaf.kind == Leaf::Kind::sine || leaf.kind == Leaf::Kind::cosine; }
 
@@ -42,9 +35,7 @@ public:
   Improver(Step const &step, Angles const &angles) : step_(step), angles_(angles) {
     for (std::uint32_t k = 0; k < step.leaves.size(); ++k) {
       Leaf const &leaf = step.leaves[k];
-      auto const of_same_angle = [&](Leaf const &other) {
-        return is_on_circle(other) && same(other.access, leaf.access);
-      };
+      auto const of_same_angle = [&](Leaf const &other) { return is_on_circle(other) && other.access == leaf.access; };
       if (leaf.kind == Leaf::Kind::values)
         tables_.push_back(k);
       else if (is_on_circle(leaf) && are_of_inputs(leaf.access, step.count, angles))

@@ -1,7 +1,5 @@
 #include "engine/plan/reroll/check.h"
 
-#include "engine/plan/reroll/mirrors.h"
-#include "engine/plan/reroll/nest.h"
 #include "engine/plan/reroll/roles.h"
 #include "engine/plan/schedule/numbering.h"
 
@@ -93,19 +91,15 @@ private:
   std::vector<Value> values_of_graph() {
     Graph const &graph = *sequence_.graph;
     std::vector<Value> values(graph.nodes.size());
-    for (std::size_t id = 0; id < graph.nodes.size(); ++id) {
+    for (NodeId id = 0; id < graph.nodes.size(); ++id) {
       Node const &node = graph.nodes[id];
-      if (sequence_.slot[id] != no_slot)
-        values[id] = numbering_.element(static_cast<std::uint32_t>(Leaf::Kind::read), sequence_.slot[id]);
-      else if (sequence_.angle[id] != no_slot)
-        values[id] = numbering_.element(static_cast<std::uint32_t>(array_of(sequence_.source(static_cast<NodeId>(id)))),
-                                        sequence_.angle[id]);
-      else if (node.is_constant())
-        values[id] = numbering_.constant(node.value());
-      else if (is_leaf(node.op))
-        values[id] = numbering_.element(static_cast<std::uint32_t>(Leaf::Kind::given), node.slot());
-      else if (sequence_.position[id] != no_position)
+      Source const source = sequence_.source(id);
+      if (source == Source::computed)
         values[id] = operation(node, values);
+      else if (source == Source::constant)
+        values[id] = numbering_.constant(node.value());
+      else if (source != Source::input || is_leaf(node.op))
+        values[id] = numbering_.element(static_cast<std::uint32_t>(array_of(source)), sequence_.element(id));
     }
     return values;
   }

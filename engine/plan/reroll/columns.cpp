@@ -8,9 +8,9 @@ namespace symreal::reroll {
 
 namespace {
 
-class Body {
+class BodyOfRepeat {
 public:
-  Body(Sequence const &sequence, Repeat const &repeat, std::vector<std::uint32_t> const &uses)
+  BodyOfRepeat(Sequence const &sequence, Repeat const &repeat, std::vector<std::uint32_t> const &uses)
       : sequence_(sequence),
         repeat_(repeat),
         uses_(uses),
@@ -134,7 +134,7 @@ private:
 } // namespace
 
 LoopBody loop_body(Sequence const &sequence, Repeat const &repeat, std::vector<std::uint32_t> const &uses) {
-  return Body(sequence, repeat, uses).run();
+  return BodyOfRepeat(sequence, repeat, uses).run();
 }
 
 } // namespace symreal::reroll

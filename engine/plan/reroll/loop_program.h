@@ -2,31 +2,17 @@
 #pragma once
 
 #include "engine/graph/graph.h"
+#include "engine/graph/node_table.h"
+#include "engine/plan/reroll/nest.h"
 
 #include <algorithm>
+#include <array>
 #include <optional>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 namespace symreal::reroll {
-
-// A loop nest: in turn i of the outer loop, the inner loop has inner + growth * i iterations.
-struct Nest {
-  std::uint32_t turns, inner;
-  std::int32_t growth;
-  auto operator<=>(Nest const &) const = default;
-};
-
-// Element index of an array as a function of the iteration.
-struct Access {
-  std::int64_t first = 0, step = 0;         // first + step * iteration
-  std::vector<std::uint32_t> elements = {}; // one per iteration if the index is not affine
-
-  bool is_listed() const { return !elements.empty(); }
-  std::size_t at(std::size_t iteration) const {
-    return is_listed() ? elements[iteration]
-                       : static_cast<std::size_t>(first + step * static_cast<std::int64_t>(iteration));
-  }
-};
 
 // Source of a body's input.
 struct Leaf {
@@ -45,6 +31,10 @@ struct Leaf {
   NodeId next = no_node;
 };
 
+// The kinds as the text form of a plan spells them, in the order of the enumerators.
+inline constexpr std::array<std::string_view, 7> leaf_kind_names = {"given",  "read",   "sine",   "cosine",
+                                                                    "memory", "values", "carried"};
+
 // A store at the end of each iteration, in order: to an element of memory, or of an output.
 struct Store {
   NodeId value;
@@ -60,6 +50,25 @@ struct Step {
   std::optional<Nest> nest = {}; // loop nest of the iterations, if known beforehand
 };
 
+// Value of a leaf of kind `values` in an iteration. `nest`: that of its step.
+double value_at(Leaf const &leaf, std::uint32_t iteration, std::optional<Nest> const &nest);
+
+// Loop nest of the step; if it is not known beforehand, the one that fits its accesses.
+std::optional<Nest> nest_of(Step const &step);
+
+// Whether compilers may vectorise the loop of the step without changing results: iterations are independent, and no two
+// stores of one iteration can be neighbours.
+//
+// gcc's vectoriser, in its pattern addsub, fuses a product with the sum behind it, whatever the flags, if sums and
+// differences alternate in neighbouring elements of memory. That takes stores of one iteration to neighbouring
+// elements, so a loop without such stores is safe: its vectors hold one operation of several iterations. Small inner
+// loops are unrolled first, and then the stores of several inner iterations belong to one outer iteration.
+bool is_side_by_side(Step const &step);
+
+// Whether the leaf reads an array that the caller passes, which outputs may overlap.
+inline bool is_argument(Leaf::Kind kind) { return kind == Leaf::Kind::given || kind == Leaf::Kind::read; }
+inline bool reads_arguments(Step const &step) { return std::ranges::any_of(step.leaves, is_argument, &Leaf::kind); }
+
 // A symmetric matrix among the outputs, stored by rows. After all steps, the half below its diagonal is copied from the
 // half above, or the other way round.
 struct Mirror {
@@ -67,9 +76,15 @@ struct Mirror {
   bool from_above;
 };
 
-// Whether the leaf reads an array that the caller passes, which outputs may overlap.
-inline bool is_argument(Leaf::Kind kind) { return kind == Leaf::Kind::given || kind == Leaf::Kind::read; }
-inline bool reads_arguments(Step const &step) { return std::ranges::any_of(step.leaves, is_argument, &Leaf::kind); }
+// Calls visit(to, from) for each copied result and its source.
+template <class Visit> void for_each_copy(Mirror const &mirror, Visit const &visit) {
+  for (std::uint32_t row = 0; row < mirror.rows; ++row)
+    for (std::uint32_t column = 0; column < row; ++column) {
+      std::uint32_t const below = mirror.first + mirror.rows * row + column;
+      std::uint32_t const above = mirror.first + mirror.rows * column + row;
+      mirror.from_above ? visit(below, above) : visit(above, below);
+    }
+}
 
 struct LoopFunction {
   std::vector<Step> steps;
@@ -77,6 +92,32 @@ struct LoopFunction {
   std::size_t memory = 0;                 // size of the function's own array
   std::vector<std::uint32_t> checks = {}; // per guard: the element of memory that must be nonzero
   std::size_t operations = 0, in_loops = 0, loops = 0;
+};
+
+// Builder of a step, whose body is a graph with the leaves as its inputs.
+class BodyBuilder {
+public:
+  explicit BodyBuilder(Graph const &graph) : graph_(&graph) {}
+
+  NodeId leaf(Leaf leaf) {
+    leaves_.push_back(std::move(leaf));
+    return nodes_.intern(Node::input(static_cast<std::uint32_t>(leaves_.size() - 1)));
+  }
+  NodeId constant(double value) { return nodes_.constant(value); }
+  // `like`: node of the graph that gives the operation its name and source location.
+  NodeId operation(Op op, std::array<NodeId, 3> const &operands, NodeId like);
+  void store(NodeId value, bool is_result, Access access) { stores_.push_back({value, is_result, std::move(access)}); }
+  void carry(NodeId leaf, NodeId next) { leaves_[nodes_[leaf].slot()].next = next; }
+
+  // `nest`: loop nest of the iterations, if known.
+  Step finish(std::uint32_t count, std::optional<Nest> const &nest = {});
+
+private:
+  Graph const *graph_;
+  NodeTable nodes_;
+  std::vector<NodeId> like_; // per node, or no_node
+  std::vector<Leaf> leaves_;
+  std::vector<Store> stores_;
 };
 
 } // namespace symreal::reroll

@@ -9,12 +9,33 @@
 
 #include "engine/plan/reroll/columns.h"
 #include "engine/plan/reroll/loop_program.h"
-#include "engine/plan/reroll/storage.h"
 
 #include <map>
 #include <optional>
 
 namespace symreal::reroll {
+
+// Storage allocation: offsets of blocks in an array, where blocks with disjoint live ranges share elements.
+
+// Live range of a value in memory: the steps of its first write and its last read.
+struct Life {
+  std::uint32_t first, last;
+
+  void reach(std::uint32_t step) { last = step > last ? step : last; }
+};
+
+struct Block {
+  std::size_t size;
+  Life life;
+};
+
+struct Storage {
+  std::vector<std::size_t> begins; // per block
+  std::size_t size = 0;            // of the array
+};
+
+// First-fit allocation of the blocks, in order of the begin of their live ranges.
+Storage stored(std::vector<Block> const &blocks);
 
 // An operation of a loop body in one iteration; iterations before the first are negative.
 struct Cell {
@@ -43,8 +64,6 @@ public:
   void need(Cell const &cell, std::uint32_t step);
   // Likewise; a value that would be overwritten gets a copy that is kept.
   void need_kept(NodeId node, std::uint32_t step);
-  // Declares a value that the next row of the same chains reads; the first row reads the value from before the loop.
-  void need_in_chain(std::uint32_t loop, std::uint32_t position);
   // Whether a step reads a value after it is overwritten; then the steps must be planned anew.
   bool is_overwritten_early() const { return is_overwritten_early_; }
   // Whether a record outside the loop may hold a copy of the node.

@@ -1,6 +1,5 @@
 #include "engine/plan/reroll/nest.h"
 
-#include <algorithm>
 #include <ranges>
 #include <set>
 
@@ -20,8 +19,12 @@ Turn turn_of(Nest const &nest, std::uint32_t iteration) {
   return {outer, static_cast<std::uint32_t>(iteration - begin_of(nest, outer))};
 }
 
-double value_at(Leaf const &leaf, std::uint32_t iteration, std::optional<Nest> const &nest) {
-  return leaf.values[(leaf.by_turn && nest ? turn_of(*nest, iteration).outer : iteration) % leaf.values.size()];
+Access access_of(std::vector<std::uint32_t> elements) {
+  std::int64_t const first = elements.front(),
+                     step = elements.size() == 1 ? 0 : static_cast<std::int64_t>(elements[1]) - first;
+  for (std::size_t k = 0; k < elements.size(); ++k)
+    if (elements[k] != first + step * static_cast<std::int64_t>(k)) return {0, 0, std::move(elements)};
+  return {first, step};
 }
 
 Access in_turns(Access const &of_turns, Nest const &nest) {
@@ -85,14 +88,6 @@ std::optional<Nest> nest_of(std::uint32_t count, std::vector<Access const *> con
     if (fitting > most) best = nest, most = fitting;
   }
   return best;
-}
-
-std::optional<Nest> nest_of(Step const &step) {
-  if (step.nest) return step.nest;
-  std::vector<Access const *> accesses;
-  for (Leaf const &leaf : step.leaves) accesses.push_back(&leaf.access);
-  for (Store const &store : step.stores) accesses.push_back(&store.access);
-  return nest_of(step.count, accesses);
 }
 
 } // namespace symreal::reroll

@@ -1,15 +1,23 @@
-// Loop nests: iterations as those of two nested loops, as in a matrix product or over a triangle.
+// Loop nests: iterations as those of two nested loops, as in a matrix product or over a triangle; and accesses in them.
 //
 // A step numbers its iterations consecutively. An index that is not affine in that number is often affine in the
 // indices of two nested loops; then it needs no table, and values invariant in the inner loop are read before it.
 #pragma once
 
-#include "engine/plan/reroll/loop_program.h"
-
 #include <algorithm>
+#include <cstdint>
 #include <functional>
+#include <optional>
+#include <vector>
 
 namespace symreal::reroll {
+
+// A loop nest: in turn i of the outer loop, the inner loop has inner + growth * i iterations.
+struct Nest {
+  std::uint32_t turns, inner;
+  std::int32_t growth;
+  auto operator<=>(Nest const &) const = default;
+};
 
 // Number of iterations before a turn of the outer loop, and in it.
 std::int64_t begin_of(Nest const &nest, std::int64_t turn);
@@ -33,8 +41,21 @@ std::optional<std::vector<Value>> by_turns(std::vector<Value> const &values, Nes
   return result;
 }
 
-// Value of a leaf of kind `values` in an iteration. `nest`: that of its step.
-double value_at(Leaf const &leaf, std::uint32_t iteration, std::optional<Nest> const &nest);
+// Element index of an array as a function of the iteration.
+struct Access {
+  std::int64_t first = 0, step = 0;         // first + step * iteration
+  std::vector<std::uint32_t> elements = {}; // one per iteration if the index is not affine
+
+  bool operator==(Access const &) const = default;
+  bool is_listed() const { return !elements.empty(); }
+  std::size_t at(std::size_t iteration) const {
+    return is_listed() ? elements[iteration]
+                       : static_cast<std::size_t>(first + step * static_cast<std::int64_t>(iteration));
+  }
+};
+
+// Affine access if the elements fit, else a list.
+Access access_of(std::vector<std::uint32_t> elements);
 
 // Access per iteration, from an access per turn of the outer loop.
 Access in_turns(Access const &of_turns, Nest const &nest);
@@ -49,7 +70,5 @@ std::optional<NestedAccess> nested(Access const &access, Nest const &nest);
 
 // Loop nest in which most of the listed accesses are affine; nullopt if none of them is.
 std::optional<Nest> nest_of(std::uint32_t count, std::vector<Access const *> const &accesses);
-// Loop nest of the step; if it is not known beforehand, the one that fits its accesses.
-std::optional<Nest> nest_of(Step const &step);
 
 } // namespace symreal::reroll

@@ -1,19 +1,168 @@
 #include "engine/plan/reroll/plan.h"
 
-#include "engine/plan/reroll/copies.h"
-#include "engine/plan/reroll/direct_results.h"
-#include "engine/plan/reroll/memory.h"
-#include "engine/plan/reroll/mirrors.h"
-#include "engine/plan/reroll/pieces.h"
-#include "engine/plan/reroll/row_roles.h"
-#include "engine/plan/reroll/steps.h"
+#include "engine/plan/reroll/results.h"
+#include "engine/plan/reroll/roles.h"
 
 #include <algorithm>
+#include <map>
+#include <ranges>
 #include <set>
+#include <utility>
 
 namespace symreal::reroll {
 
 namespace {
+
+// A loop, or a piece of straight-line code.
+struct Piece {
+  std::uint32_t begin, end;
+  std::uint32_t loop = no_position;
+  std::vector<std::pair<Cell, NodeId>> copies = {}; // read by later loops
+  std::vector<NodeId> kept = {};                    // nodes without an operation that are read from memory
+
+  bool computes(Sequence const &sequence, NodeId node) const {
+    return sequence.position[node] != no_position && sequence.position[node] >= begin && sequence.position[node] < end;
+  }
+};
+
+constexpr std::uint32_t most_operations = 1000; // of a straight piece: compilation time is superlinear in function size
+
+// Pieces in order, with at least one straight piece before each loop and at the end.
+std::vector<Piece> pieces(Sequence const &sequence, std::vector<LoopBody> const &loops) {
+  std::vector<Piece> pieces;
+  std::uint32_t at = 0;
+  auto const straight_to = [&](std::uint32_t end) {
+    do {
+      std::uint32_t const next = std::min(at + most_operations, end);
+      pieces.push_back({at, next});
+      at = next;
+    } while (at < end);
+  };
+  for (std::uint32_t loop = 0; loop < loops.size(); ++loop) {
+    Repeat const &repeat = loops[loop].repeat;
+    straight_to(repeat.begin);
+    pieces.push_back({repeat.begin, repeat.end(), loop});
+    at = repeat.end();
+  }
+  straight_to(static_cast<std::uint32_t>(sequence.size()));
+  return pieces;
+}
+
+// Whether the piece reads arrays that results may overlap. `roles`: per loop and column.
+bool reads_arguments(Piece const &piece, Sequence const &sequence, std::vector<std::vector<Role>> const &roles) {
+  if (piece.loop != no_position) return std::ranges::any_of(roles[piece.loop], is_argument, &Role::kind);
+  auto const is_given = [&](NodeId node) {
+    Source const source = sequence.source(node);
+    return source != Source::computed && source != Source::constant && is_argument(array_of(source));
+  };
+  for (std::uint32_t at = piece.begin; at < piece.end; ++at)
+    for (unsigned i = 0; i < sequence.operations[at].count; ++i)
+      if (is_given(sequence.operations[at].operands[i].node)) return true;
+  return std::ranges::any_of(piece.copies | std::views::values, is_given) || std::ranges::any_of(piece.kept, is_given);
+}
+
+// `results`: per operation the results that the step stores directly.
+Step straight_step(Piece const &piece, Sequence const &sequence, Memory const &memory,
+                   std::map<NodeId, std::vector<std::uint32_t>> const &results) {
+  BodyBuilder body(*sequence.graph);
+  std::map<NodeId, NodeId> now;
+  auto const value = [&](NodeId node) {
+    auto const [entry, is_new] = now.try_emplace(node, no_node);
+    if (!is_new) return entry->second;
+    Node const &there = sequence.graph->nodes[node];
+    switch (sequence.source(node)) {
+    case Source::computed: entry->second = body.leaf({Leaf::Kind::memory, {memory.home(node)}}); break;
+    case Source::constant: entry->second = body.constant(there.value()); break;
+    case Source::input:
+    case Source::read:
+    case Source::sine:
+    case Source::cosine: {
+      Leaf::Kind const array = array_of(sequence.source(node));
+      entry->second = body.leaf({array, {sequence.element(node)}});
+      break;
+    }
+    }
+    return entry->second;
+  };
+  auto const store = [&](NodeId node, std::uint32_t element) { body.store(value(node), false, {element}); };
+  for (std::uint32_t at = piece.begin; at < piece.end; ++at) {
+    NodeId const id = sequence.operations[at].node;
+    Node const &node = sequence.graph->nodes[id];
+    std::array<NodeId, 3> operands = {no_node, no_node, no_node};
+    for (unsigned i = 0; i < arity(node.op); ++i) operands[i] = value(node.operand[i]);
+    now[id] = body.operation(node.op, operands, id);
+    if (memory.has_home(id)) store(id, memory.home(id));
+    if (auto const found = results.find(id); found != results.end())
+      for (std::uint32_t const slot : found->second) body.store(now[id], true, {slot});
+  }
+  for (auto const &[cell, node] : piece.copies) store(node, memory.element(cell));
+  for (NodeId node : piece.kept) store(node, memory.home(node));
+  return body.finish(1);
+}
+
+// Loop-carried values of a body: a value that is read several iterations later moves from variable to variable.
+class Carried {
+public:
+  Carried(BodyBuilder &body, Memory const &memory) : body_(body), memory_(memory) {}
+
+  // Leaf for the value of body operation `next`; `first`: its values in the first iterations.
+  NodeId leaf(std::uint32_t next, std::vector<NodeId> first) {
+    auto const [entry, is_new] = leaves_.try_emplace({next, first}, no_node);
+    if (!is_new) return entry->second;
+    Leaf leaf{Leaf::Kind::carried, {memory_.home(first.front())}};
+    first.erase(first.begin());
+    if (!first.empty()) leaf.next = this->leaf(next, std::move(first));
+    return entry->second = body_.leaf(std::move(leaf));
+  }
+
+  // Completes the leaves once the body's operations exist.
+  void carry(std::vector<NodeId> const &computed) {
+    for (auto const &[key, leaf] : leaves_)
+      if (key.second.size() == 1) body_.carry(leaf, computed[key.first]);
+  }
+
+private:
+  BodyBuilder &body_;
+  Memory const &memory_;
+  std::map<std::pair<std::uint32_t, std::vector<NodeId>>, NodeId> leaves_;
+};
+
+// `loop`: its number in memory. `roles`: of its columns. `results`: those that the loop stores directly.
+Step loop_step(std::uint32_t loop, LoopBody const &plan, std::vector<Role> const &roles, Graph const &graph,
+               Memory const &memory, std::vector<LoopResult> const &results) {
+  BodyBuilder body(graph);
+  std::vector<NodeId> leaves(plan.columns.size(), no_node), computed;
+  Carried carried(body, memory);
+  auto const column = [&](std::uint32_t number) {
+    if (leaves[number] != no_node) return leaves[number];
+    Role const &role = roles[number];
+    if (role.constant)
+      leaves[number] = body.constant(*role.constant);
+    else
+      leaves[number] = role.next != no_position ? carried.leaf(role.next, role.nodes)
+                                                : body.leaf(leaf_of(role, memory, plan.repeat.rows));
+    return leaves[number];
+  };
+  auto const value = [&](BodyOperand const &operand) {
+    NodeId const number = operand.position != no_position ? computed[operand.position] : column(operand.column);
+    if (operand.sign == no_column) return number;
+    return body.operation(Op::mul, {column(operand.sign), number, no_node}, no_node);
+  };
+  for (BodyOperation const &operation : plan.operations) {
+    std::array<NodeId, 3> operands = {no_node, no_node, no_node};
+    for (unsigned i = 0; i < operation.count; ++i) operands[i] = value(operation.operands[i]);
+    bool const first = operation.operands[0].negated, second = operation.operands[1].negated;
+    internal_check(!(first && second));
+    if (first) std::swap(operands[0], operands[1]);
+    computed.push_back(body.operation(first || second ? Op::sub : operation.op, operands, operation.first));
+  }
+  carried.carry(computed);
+  for (std::uint32_t const position : memory.stored_positions(loop))
+    body.store(computed[position], false, memory.in_iterations(loop, position));
+  for (auto const &[position, access] : memory.kept_positions(loop)) body.store(computed[position], false, access);
+  for (LoopResult const &result : results) body.store(computed[result.position], true, result.access);
+  return body.finish(plan.repeat.count, plan.repeat.rows);
+}
 
 class Planner {
 public:
@@ -96,9 +245,7 @@ private:
     roles_.emplace_back();
     entries_.emplace_back();
     for (Column const &column : loops_[loop].columns) {
-      std::optional<Role> role = loops_[loop].repeat.rows ? choose_role_in_rows(sequence_, loops_, loop, column,
-                                                                                memory_, copy, entries_.back())
-                                                          : choose_role(sequence_, loops_, loop, column, memory_, copy);
+      std::optional<Role> role = choose_role(sequence_, loops_, loop, column, memory_, copy, entries_.back());
       if (!role) return false;
       roles_.back().push_back(std::move(*role));
     }

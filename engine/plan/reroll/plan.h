@@ -1,4 +1,4 @@
-// Planning of loops: turns repeats into steps.
+// Planning of loops: the steps of a function, which are its repeats as loops and the straight pieces between them.
 #pragma once
 
 #include "engine/plan/reroll/loop_program.h"
@@ -10,6 +10,6 @@ namespace symreal::reroll {
 // which must be nonzero. Returns nullopt if rows of chains (interchange.h) hand on values in an unsupported way.
 std::optional<LoopFunction> plan(Sequence sequence, std::vector<Repeat> const &repeats,
                                  std::vector<NodeId> const &stored, std::vector<NodeId> const &checked,
-                                 std::vector<Object> const &objects = {});
+                                 std::vector<Object> const &objects);
 
 } // namespace symreal::reroll

@@ -1,5 +1,6 @@
 #include "engine/plan/reroll/recurrences.h"
 
+#include "engine/optimise/algebra/recovery.h"
 #include "engine/optimise/passes/balance.h"
 
 #include <algorithm>
@@ -130,9 +131,10 @@ std::vector<Recurrence> recurrences(Step const &step) {
 Step with_short_recurrences(Step step) {
   if (step.count == 1) return step;
   for (auto const &[leaves, period] : recurrences(step)) {
-    if (period * begun_meanwhile < work(step.body, usual_costs())) continue;
+    if (period * begun_meanwhile < algebra::cost_of(step.body, usual_costs())) continue;
     Step other = Paths(step, leaves).shortened();
-    if (Paths(other, leaves).period() < period && work(other.body, usual_costs()) <= work(step.body, usual_costs()))
+    if (Paths(other, leaves).period() < period &&
+        algebra::cost_of(other.body, usual_costs()) <= algebra::cost_of(step.body, usual_costs()))
       step = std::move(other);
   }
   return step;

@@ -5,7 +5,7 @@
 // one iteration of a loop can compute either; operands that vary come from tables.
 #pragma once
 
-#include "engine/plan/reroll/loop_program.h"
+#include "engine/plan/reroll/nest.h"
 #include "engine/plan/reroll/sequence.h"
 
 namespace symreal::reroll {
@@ -15,6 +15,9 @@ struct Repeat {
   std::optional<Nest> rows = {}; // loop nest of rows of chains (interchange.h)
   std::uint32_t end() const { return begin + period * count; }
 };
+
+// Least number of iterations of a loop.
+inline constexpr std::uint32_t least_count = 4;
 
 // Whether two operations match, and whether the first two operands must be exchanged for that. `fit`: whether one
 // operand may take the place of another.
@@ -29,19 +32,18 @@ template <typename Fit> Match match(Operation const &a, Operation const &b, Fit 
   return crosswise ? Match::exchanged : Match::none;
 }
 
-// Match of the operation at `at` and the one a period later.
-Match match(Sequence const &sequence, std::uint32_t at, std::uint32_t period);
-
-// Thresholds for a loop: iterations; operations that it saves, and their percentage of the function, or a saving that
-// suffices at any percentage. Small loops inside straight-line code cost more than they save.
-inline constexpr std::uint32_t least_count = 4, least_saving = 24, least_part = 50, ample_saving = 300;
-bool is_worth_it(Sequence const &sequence, Repeat const &repeat);
+// Per token, the hash of the `window` tokens from it on, except near the end. Method: Karp-Rabin rolling hash.
+std::vector<std::uint64_t> window_hashes(std::vector<std::uint64_t> const &tokens, std::size_t window);
 
 // Disjoint repeats, in order. Repeats in `known` win if all of their operations match, then longer stretches, then
 // shorter periods. Takes the time of a few dozen scans of the sequence.
-std::vector<Repeat> find_repeats(Sequence const &sequence, std::vector<Repeat> const &known = {});
+std::vector<Repeat> find_repeats(Sequence const &sequence, std::vector<Repeat> const &known);
 
 // Exchanges operands so that each iteration has them in the order of the one before.
 void align(Sequence &sequence, std::vector<Repeat> const &repeats);
+
+// Trims aligned repeats. An operand of an iteration must be computed before that iteration, or by the same operation of
+// its body in every iteration. The iterations from the first violation on, or those up to it, are left out.
+std::vector<Repeat> trimmed(Sequence const &sequence, std::vector<Repeat> const &repeats);
 
 } // namespace symreal::reroll

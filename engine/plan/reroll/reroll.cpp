@@ -3,11 +3,8 @@
 #include "engine/graph/statistics.h"
 #include "engine/plan/reroll/check.h"
 #include "engine/plan/reroll/interchange.h"
-#include "engine/plan/reroll/nest.h"
-#include "engine/plan/reroll/own_products.h"
 #include "engine/plan/reroll/plan.h"
 #include "engine/plan/reroll/signs.h"
-#include "engine/plan/reroll/trim.h"
 
 #include <algorithm>
 #include <fmt/format.h>

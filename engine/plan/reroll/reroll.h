@@ -3,6 +3,10 @@
 // A recorded program is one long sequence of operations. A loop of the source appears in it as windows that differ only
 // in inputs, constants, and values from other windows. One window becomes the body of a loop; the differences become an
 // affine index, a table, or a loop-carried variable. Details: docs/reference/reroll.md.
+//
+//   sequence ──▶ interchange ──▶ repeats ──▶ plan ──▶ signs ──▶ check           (loops_of in reroll.cpp)
+//
+// The plan has the columns of each repeat, their roles, the layout of memory, and the stores of results.
 #pragma once
 
 #include "engine/ops/floating_point.h"

@@ -1,7 +1,6 @@
 #include "engine/plan/reroll/roles.h"
 
-#include "engine/plan/reroll/nest.h"
-#include "engine/support/same_bits.h"
+#include "engine/support/number.h"
 
 #include <algorithm>
 
@@ -29,7 +28,7 @@ public:
         nodes_(nodes),
         memory_(memory) {}
 
-  Role choose(std::function<void(Cell const &, NodeId)> const &copy) {
+  Role choose(Copy const &copy) {
     Role role{Leaf::Kind::memory};
     if (std::ranges::all_of(nodes_, [&](NodeId node) { return node == nodes_.front(); })) {
       memory_.need(role.node = nodes_.front(), here());
@@ -95,6 +94,62 @@ private:
   std::vector<std::size_t> elsewhere_; // iterations
 };
 
+Role plain_role(Sequence const &sequence, std::vector<LoopBody> const &loops, std::uint32_t loop, Column const &column,
+                Memory &memory, Copy const &copy) {
+  if (column.nodes.empty()) return role_of_values(column.values);
+  Source const source = sequence.source(column.nodes.front());
+  if (source == Source::computed) return MemoryRole(sequence, loops, loop, column.nodes, memory).choose(copy);
+  std::vector<std::uint32_t> elements;
+  for (NodeId node : column.nodes) elements.push_back(sequence.element(node));
+  return {.kind = array_of(source), .access = access_of(std::move(elements))};
+}
+
+// Operation that computes the operand in the row before, with each chain's initial value; nullopt if it varies.
+std::optional<Entry> entry_of(std::vector<NodeId> const &nodes, Nest const &rows, std::uint32_t loop,
+                              Sequence const &sequence, std::vector<LoopBody> const &loops, Memory const &memory) {
+  std::optional<Cell> const second = memory.cell(nodes[static_cast<std::size_t>(begin_of(rows, 1))]);
+  if (!second || second->loop != loop) return {};
+  Entry entry{second->position, {}};
+  for (std::uint32_t k = 0; k < nodes.size(); ++k) {
+    auto const [row, chain] = turn_of(rows, k);
+    if (row > 0 && chain < length_of(rows, row - 1)) {
+      if (memory.cell(nodes[k]) != Cell{loop, entry.position, begin_of(rows, row - 1) + chain}) return {};
+    } else {
+      std::uint32_t const made = sequence.position[nodes[k]];
+      if (made == no_position || made >= loops[loop].repeat.begin) return {};
+      entry.nodes.push_back(nodes[k]);
+    }
+  }
+  return entry;
+}
+
+std::optional<Role> role_in_rows(Sequence const &sequence, std::vector<LoopBody> const &loops, std::uint32_t loop,
+                                 Nest const &rows, Column const &column, Memory &memory, Copy const &copy,
+                                 std::vector<Entry> &entries) {
+  // Signs may still differ from chain to chain here.
+  if (column.nodes.empty()) return role_of_values(column.values, rows);
+  if (std::optional<std::vector<NodeId>> const nodes = by_turns(column.nodes, rows)) {
+    Role role = plain_role(sequence, loops, loop, {*nodes}, memory, copy);
+    role.by_turn = true;
+    return role;
+  }
+  if (sequence.source(column.nodes.front()) != Source::computed) {
+    Role role = plain_role(sequence, loops, loop, column, memory, copy);
+    return role.access.is_listed() && !nested(role.access, rows) ? std::nullopt : std::optional(role);
+  }
+  std::optional<Entry> entry = entry_of(column.nodes, rows, loop, sequence, loops, memory);
+  if (!entry) return {};
+  for (Entry const &known : entries)
+    if (known.position == entry->position) return {}; // with other nodes, as columns are distinct
+  memory.need({loop, entry->position, 0}, memory.step_of_loop(loop));
+  Role role{Leaf::Kind::memory};
+  role.cell = Cell{loop, entry->position, 0};
+  role.in_chain = true;
+  for (NodeId const node : entry->nodes) memory.need(node, memory.step_of_loop(loop));
+  entries.push_back(std::move(*entry));
+  return role;
+}
+
 } // namespace
 
 Role role_of_values(std::vector<double> const &values, std::optional<Nest> const &nest) {
@@ -110,22 +165,11 @@ Role role_of_values(std::vector<double> const &values, std::optional<Nest> const
   return {.values = std::move(period)};
 }
 
-Access access_of(std::vector<std::uint32_t> elements) {
-  std::int64_t const first = elements.front(),
-                     step = elements.size() == 1 ? 0 : static_cast<std::int64_t>(elements[1]) - first;
-  for (std::size_t k = 0; k < elements.size(); ++k)
-    if (elements[k] != first + step * static_cast<std::int64_t>(k)) return {0, 0, std::move(elements)};
-  return {first, step};
-}
-
-Role choose_role(Sequence const &sequence, std::vector<LoopBody> const &loops, std::uint32_t loop, Column const &column,
-                 Memory &memory, std::function<void(Cell const &, NodeId)> const &copy) {
-  if (column.nodes.empty()) return role_of_values(column.values);
-  Source const source = sequence.source(column.nodes.front());
-  if (source == Source::computed) return MemoryRole(sequence, loops, loop, column.nodes, memory).choose(copy);
-  std::vector<std::uint32_t> elements;
-  for (NodeId node : column.nodes) elements.push_back(sequence.element(node));
-  return {.kind = array_of(source), .access = access_of(std::move(elements))};
+std::optional<Role> choose_role(Sequence const &sequence, std::vector<LoopBody> const &loops, std::uint32_t loop,
+                                Column const &column, Memory &memory, Copy const &copy, std::vector<Entry> &entries) {
+  if (std::optional<Nest> const &rows = loops[loop].repeat.rows)
+    return role_in_rows(sequence, loops, loop, *rows, column, memory, copy, entries);
+  return plain_role(sequence, loops, loop, column, memory, copy);
 }
 
 Leaf::Kind array_of(Source source) {

@@ -1,7 +1,9 @@
 // Roles: how the body of a loop accesses the operands of a column.
+//
+// Rows of chains (interchange.h) form a loop nest: a row computes the same stages of all chains, side by side. A value
+// that a chain hands from row to row has one element per chain, which each row overwrites.
 #pragma once
 
-#include "engine/plan/reroll/loop_program.h"
 #include "engine/plan/reroll/memory.h"
 
 #include <functional>
@@ -25,20 +27,27 @@ struct Role {
   std::vector<NodeId> nodes = {};
 };
 
+// Initial values of the chains, stored where later rows find the value of the body operation `position`.
+struct Entry {
+  std::uint32_t position;
+  std::vector<NodeId> nodes; // per chain
+};
+
 // Role of one value per iteration: a constant, or a column of a table. `nest`: that of the iterations.
 Role role_of_values(std::vector<double> const &values, std::optional<Nest> const &nest = {});
 
-// Declares to memory what the column needs; `copy` puts a node into a cell before the loop.
-Role choose_role(Sequence const &sequence, std::vector<LoopBody> const &loops, std::uint32_t loop, Column const &column,
-                 Memory &memory, std::function<void(Cell const &, NodeId)> const &copy);
+using Copy = std::function<void(Cell const &, NodeId)>;
+
+// Role of an operand of the loop; nullopt if it is in rows of chains, and neither the chain nor the row determines it.
+// Declares to memory what the column needs; `copy` puts a node into a cell before the loop. Adds to `entries` the
+// initial values to store before the loop.
+std::optional<Role> choose_role(Sequence const &sequence, std::vector<LoopBody> const &loops, std::uint32_t loop,
+                                Column const &column, Memory &memory, Copy const &copy, std::vector<Entry> &entries);
 
 // Leaf for the role, after memory is laid out. `nest`: that of the loop.
 Leaf leaf_of(Role const &role, Memory const &memory, std::optional<Nest> const &nest = {});
 
 // Array that holds a node from this source; not for computed nodes.
 Leaf::Kind array_of(Source source);
-
-// Affine access if the elements fit, else a list.
-Access access_of(std::vector<std::uint32_t> elements);
 
 } // namespace symreal::reroll

@@ -4,6 +4,8 @@
 #include "engine/plan/schedule/schedule.h"
 
 #include <array>
+#include <memory>
+#include <optional>
 #include <vector>
 
 namespace symreal::reroll {
@@ -58,5 +60,17 @@ struct Sequence {
 
 // Sequence of the operations that `roots` need.
 Sequence sequence(Schedule const &plan, bool in_compute, std::vector<NodeId> const &roots);
+
+// A sequence with duplicates of products that several windows share.
+//
+// Each term of a series multiplies the same variable by a constant. If two terms have the same constant, only the first
+// computes the product, and neither resembles the terms around it. With the product computed in both, all terms match.
+struct OwnProducts {
+  std::unique_ptr<Graph> graph; // has extra nodes at its end, which earlier operations may read
+  Sequence sequence;            // of `graph`
+};
+
+// Sequence with the duplicated products; nullopt if there are too few of them.
+std::optional<OwnProducts> with_own_products(Sequence const &sequence);
 
 } // namespace symreal::reroll

@@ -1,7 +1,6 @@
 #include "engine/plan/reroll/signs.h"
 
 #include "engine/plan/reroll/bodies.h"
-#include "engine/plan/reroll/body_builder.h"
 #include "engine/plan/reroll/roles.h"
 #include "engine/plan/reroll/sign_relations.h"
 
@@ -20,9 +19,9 @@ struct Now {
   bool negated = false;
 };
 
-class Rewriter {
+class SignRewriter {
 public:
-  Rewriter(SignedBody const &body, SignRelations const &signs, std::vector<char> positive)
+  SignRewriter(SignedBody const &body, SignRelations const &signs, std::vector<char> positive)
       : body_(body),
         signs_(signs),
         positive_(std::move(positive)),
@@ -163,16 +162,16 @@ private:
 // extra operation.
 Step with_positive_columns(SignedBody const &body, SignRelations const &signs) {
   constexpr std::size_t most_work = 100'000'000; // columns times their values
-  Rewriter plain(body, signs, {});
+  SignRewriter plain(body, signs, {});
   Step best = plain.step();
   std::vector<char> positive(plain.columns(), 1);
-  Step all = Rewriter(body, signs, positive).step();
+  Step all = SignRewriter(body, signs, positive).step();
   if (operations_of(all) <= operations_of(best)) return all;
   if (positive.size() * body.size() * body.count() > most_work) return best;
   std::ranges::fill(positive, 0);
   for (char &column : positive) {
     column = 1;
-    Step other = Rewriter(body, signs, positive).step();
+    Step other = SignRewriter(body, signs, positive).step();
     if (operations_of(other) <= operations_of(best))
       best = std::move(other);
     else

@@ -1,6 +1,6 @@
 #include "engine/plan/schedule/angles.h"
 
-#include "engine/plan/schedule/order.h"
+#include "engine/plan/schedule/dependences.h"
 
 #include <algorithm>
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 #include "engine/plan/schedule/blocks.h"
 
-#include "engine/plan/schedule/order.h"
+#include "engine/plan/schedule/dependences.h"
 
 #include <algorithm>
 

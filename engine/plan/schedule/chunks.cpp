@@ -1,15 +1,87 @@
 #include "engine/plan/schedule/chunks.h"
 
-#include "engine/graph/opaque.h"
-#include "engine/plan/schedule/cuts.h"
-#include "engine/plan/schedule/order.h"
+#include "engine/graph/graph.h"
+#include "engine/plan/schedule/dependences.h"
 
 #include <algorithm>
+#include <deque>
 #include <numeric>
+#include <utility>
 
 namespace symreal {
 
 namespace {
+
+// Cut points of a long function body.
+class Cuts {
+public:
+  Cuts(Schedule const &plan, FunctionBody const &body, bool in_compute) : loaded_by_(body.variables.size(), nowhere) {
+    std::vector<std::uint32_t> statement(body.regions.value_count(), nowhere),
+        last_reader(body.variables.size(), nowhere);
+    auto const end = static_cast<std::uint32_t>(body.variables.size());
+    reads_.all.reserve(2 * std::size_t{end});
+    dying_.all.reserve(end);
+    for (std::uint32_t k = 0; k < end; ++k) {
+      auto const note = [&](NodeId use) {
+        for_each_read(
+            *plan.graph, use, [&](NodeId id) { return statement[id] != nowhere; },
+            [&](NodeId id) { return is_read(plan, in_compute, id); },
+            [&](NodeId id) {
+              reads_.all.push_back(statement[id]);
+              last_reader[statement[id]] = k;
+            });
+      };
+      for (Literal const &literal : body.regions.literals(body.region[k])) note(literal.condition);
+      for_each_operand(plan, body, in_compute, body.variables[k], note);
+      statement[body.variables[k]] = k;
+      reads_.end_row();
+    }
+    for (std::uint32_t k = 0; k < end; ++k) {
+      for (std::uint32_t const read : reads_[k])
+        if (std::exchange(last_reader[read], last_reader[read] == k ? nowhere : last_reader[read]) == k)
+          dying_.all.push_back(read);
+      dying_.end_row();
+    }
+  }
+
+  // Begins of the chunks of these statements. A chunk has at most `most_statements` and, except for the last, at least
+  // half as many; it ends where the fewest values per statement cross its borders. Linear time.
+  std::vector<std::size_t> between(std::size_t first, std::size_t end, std::size_t most_statements) {
+    std::vector<std::size_t> begins;
+    while (first < end) {
+      begins.push_back(first);
+      bool const is_long = end - first > most_statements;
+      first = is_long ? best_end(first, most_statements) : end;
+    }
+    return begins;
+  }
+
+private:
+  static constexpr std::uint32_t nowhere = ~std::uint32_t{0}; // statements are fewer than nodes
+
+  std::size_t best_end(std::size_t begin, std::size_t most_statements) {
+    constexpr std::size_t unknown = ~std::size_t{0};
+    auto const chunk = static_cast<std::uint32_t>(begin);
+    std::size_t best = begin + most_statements, best_cost = unknown, loaded = 0, stored = 0;
+    for (std::size_t k = begin; k < begin + most_statements; ++k) {
+      for (std::uint32_t const read : reads_[k])
+        if (read < begin && std::exchange(loaded_by_[read], chunk) != chunk) ++loaded;
+      ++stored; // whether or not it is read
+      for (std::uint32_t const dying : dying_[k])
+        if (dying >= begin) --stored;
+      std::size_t const length = k + 1 - begin, cost = loaded + stored;
+      if (length < most_statements / 2) continue;
+      if (best_cost != unknown && cost * (best - begin) > best_cost * length) continue;
+      best = k + 1;
+      best_cost = cost;
+    }
+    return best;
+  }
+
+  // Per statement: the earlier statements whose values it reads, and those that it reads last.
+  StatementRows reads_, dying_;
+  std::vector<std::uint32_t> loaded_by_; // per statement: begin of the last chunk found to read it
+};
 
 class Cutter {
 public:
@@ -95,16 +167,80 @@ private:
 
   void place_stores(Chunks &chunks) {
     if (limits_.may_store && !chunks.has_parts()) {
-      std::size_t first_storing = 0;
-      for (Check const &check : body_.checks) first_storing = std::max(first_storing, chunks.of_check(check));
-      ChunkReads const reads{chunks.size(), first_storing, chunk_, last_reader_, last_array_reader_};
-      chunks.stores = distribute(*plan_.graph, body_, reads, limits_.most_statements);
+      share_out_stores(chunks);
     } else {
       store_behind(chunks);
     }
     for (std::size_t chunk = 0; chunk < chunks.size(); ++chunk)
       for (std::size_t const result : chunks.stores.of_chunk[chunk]) note_read(body_.results[result], chunk);
     for (std::size_t const result : chunks.stores.behind) note_read(body_.results[result], chunks.size());
+  }
+
+  // Assigns the stores, at most `most_statements` per chunk.
+  void share_out_stores(Chunks &chunks) const {
+    Stores &stores = chunks.stores;
+    stores.first_chunk = first_storing_chunk(chunks);
+    for (std::size_t id = 0; id < plan_.graph->nodes.size(); ++id)
+      if (last_array_reader_[id] != no_slot && last_array_reader_[id] > stores.first_chunk)
+        stores.copied.push_back(static_cast<NodeId>(id));
+    std::vector<std::vector<std::size_t>> ready(chunks.size());
+    for (std::size_t result = 0; result < body_.results.size(); ++result) ready[ready_in(result)].push_back(result);
+    std::deque<std::size_t> waiting;
+    for (std::size_t chunk = 0; chunk < chunks.size(); ++chunk) {
+      std::vector<std::size_t> &own = stores.of_chunk.emplace_back(std::move(ready[chunk]));
+      std::size_t const room = chunk < stores.first_chunk ? 0 : limits_.most_statements;
+      while (own.size() > room) {
+        waiting.push_back(own.back());
+        own.pop_back();
+      }
+      while (own.size() < room && !waiting.empty()) {
+        own.push_back(waiting.front());
+        waiting.pop_front();
+      }
+    }
+    stores.behind.assign(waiting.begin(), waiting.end());
+    std::ranges::sort(stores.behind);
+  }
+
+  // Variable that holds a result: for a result of a call, the call.
+  NodeId variable(std::size_t result) const {
+    NodeId const id = body_.results[result];
+    bool const is_returned = plan_.graph->nodes[id].op == Op::returned && chunk_[id] == no_slot;
+    return is_returned ? plan_.graph->nodes[id].operand[0] : id;
+  }
+  // Chunk in which a result is ready; 0 for a constant.
+  std::size_t ready_in(std::size_t result) const {
+    std::uint32_t const chunk = chunk_[variable(result)];
+    return chunk == no_slot ? 0 : chunk;
+  }
+
+  std::size_t first_storing_chunk(Chunks const &chunks) const {
+    std::size_t first_allowed = 0; // behind the guards
+    for (Check const &check : body_.checks) first_allowed = std::max(first_allowed, chunks.of_check(check));
+    // Differences, by chunk, of the number of values that wait if that chunk stores first.
+    std::vector<std::ptrdiff_t> more(chunks.size() + 1, 0);
+    std::vector<char> counted(chunk_.size(), 0);
+    for (std::size_t result = 0; result < body_.results.size(); ++result) {
+      NodeId const id = variable(result);
+      bool const is_kept_anyway = last_reader_[id] > ready_in(result);
+      if (chunk_[id] == no_slot || counted[id] || is_kept_anyway) continue;
+      counted[id] = 1;
+      ++more[ready_in(result) + 1];
+    }
+    for (std::uint32_t const reader : last_array_reader_) {
+      if (reader == no_slot) continue;
+      ++more[0];
+      --more[reader];
+    }
+    std::ptrdiff_t waiting = 0, fewest = 0;
+    std::size_t best = chunks.size();
+    for (std::size_t chunk = 0; chunk < chunks.size(); ++chunk) {
+      waiting += more[chunk];
+      if (chunk < first_allowed || (best != chunks.size() && waiting >= fewest)) continue;
+      best = chunk;
+      fewest = waiting;
+    }
+    return best;
   }
 
   void store_behind(Chunks &chunks) const {

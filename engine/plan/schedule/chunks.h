@@ -5,9 +5,20 @@
 #pragma once
 
 #include "engine/plan/schedule/schedule.h"
-#include "engine/plan/schedule/stores.h"
 
 namespace symreal {
+
+// Stores of the results, shared out to the chunks.
+//
+// Arrays may overlap, so all inputs must be read, and all guards checked, before a result is stored. The first storing
+// chunk is therefore chosen so that the fewest values wait: results that are ready earlier wait in the work array, and
+// inputs that later chunks read are copied there.
+struct Stores {
+  std::size_t first_chunk = 0;     // it stores at its end; later chunks store right behind each computation
+  std::vector<NodeId> copied = {}; // copied at the end of the first chunk, before its stores
+  std::vector<std::vector<std::size_t>> of_chunk = {}; // per chunk: results that it stores
+  std::vector<std::size_t> behind = {};                // results that no chunk stores
+};
 
 struct Chunks {
   std::vector<std::size_t> begin = {};        // first statement of each chunk, and the end of the last

@@ -1,11 +1,11 @@
 #include "engine/plan/schedule/schedule.h"
 
-#include "engine/graph/opaque.h"
-#include "engine/plan/schedule/delay.h"
-#include "engine/plan/schedule/list_scheduling.h"
+#include "engine/graph/graph.h"
+#include "engine/plan/schedule/dependences.h"
 #include "engine/plan/schedule/order.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 namespace symreal {
@@ -223,6 +223,28 @@ Schedule schedule(Graph const &graph, Nesting nesting, Arms arms) {
 FunctionBody lay_out(Graph const &graph, std::vector<NodeId> const &results,
                      std::vector<std::uint32_t> const &constant_slot, Nesting nesting) {
   return Layout(graph, results, {}, no_node, &constant_slot, nesting, Arms::computed).run();
+}
+
+Schedule shared_out(Schedule const &plan, std::vector<Share> const &shares, unsigned threads) {
+  FunctionBody const &body = plan.compute;
+  std::vector<std::size_t> order(body.variables.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  auto const key = [&](std::size_t k) { return std::pair(shares[k].stage, shares[k].thread); };
+  std::ranges::stable_sort(order, {}, key);
+  Schedule result = plan;
+  result.threads = threads;
+  for (std::size_t at = 0; at < order.size(); ++at) {
+    result.compute.variables[at] = body.variables[order[at]];
+    result.compute.region[at] = body.region[order[at]];
+    std::vector<ThreadPart> &parts = result.compute.parts;
+    if (at == 0 || key(order[at - 1]) != key(order[at])) {
+      bool const same_stage = at != 0 && shares[order[at - 1]].stage == shares[order[at]].stage;
+      parts.push_back({parts.empty() ? 0 : parts.back().stage + (same_stage ? 0U : 1U), at});
+    }
+    parts.back().end = at + 1;
+  }
+  for (Check &check : result.compute.checks) check.before = order.size();
+  return result;
 }
 
 } // namespace symreal

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "engine/graph/graph.h"
-#include "engine/plan/schedule/region_table.h"
+#include "engine/plan/schedule/regions.h"
 
 #include <optional>
 #include <set>
@@ -97,5 +97,16 @@ Schedule schedule(Graph const &graph, Nesting nesting = Nesting::bounded, Arms a
 // Layout of an extra function that reads the same arrays as compute.
 FunctionBody lay_out(Graph const &graph, std::vector<NodeId> const &results,
                      std::vector<std::uint32_t> const &constant_slot, Nesting nesting);
+
+inline constexpr unsigned most_threads = 64;
+
+// Stage and thread that execute a statement of compute.
+struct Share {
+  std::uint32_t stage = 0, thread = 0;
+};
+
+// Sorts the statements of compute by stage and thread, stably. `shares`: per statement. No statement may
+// precede its operands in that order.
+Schedule shared_out(Schedule const &plan, std::vector<Share> const &shares, unsigned threads);
 
 } // namespace symreal

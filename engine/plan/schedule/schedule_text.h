@@ -1,6 +1,6 @@
 // Text form of a schedule, which the tests of emitters use.
 //
-//   symreal-schedule 1
+//   symreal-plan 1
 //   kernel "k"                       the lines of the graph (graph_text.h), without its first
 //   ...
 //   function preprocess

@@ -1,19 +1,101 @@
-// Calls of functions that are not recorded: run with the carried values, and kept as nodes.
+// Calls of functions that are not recorded: run with the carried values, and kept as nodes. Functions of complex
+// numbers are pure external functions that are always at hand; so is the implicit function of a pragma.
+#include "runtime/trace/calls/external_call.h"
+
+#include "engine/graph/external.h"
 #include "engine/graph/graph_line.h"
-#include "runtime/trace/decisions/policy.h"
+#include "engine/graph/implicit.h"
+#include "runtime/trace/decisions/decisions.h"
 #include "runtime/trace/nodes/externals.h"
 #include "runtime/trace/nodes/pool.h"
 #include "runtime/trace/report/events.h"
 
+#include <symreal/complex.h>
 #include <symreal/external.h>
 
+#include <array>
 #include <cmath>
 #include <map>
 #include <memory>
+#include <span>
 
-namespace symreal::detail {
+namespace symreal {
 
-using trace::Externals;
+namespace trace {
+
+namespace {
+
+// Nodes of a call: its arguments as a list, its function, and what it is ordered after, unless the function is pure.
+RealNumber record_external_call(External const &external, std::span<RealNumber const> arguments, void const *caller) {
+  Pool &pool = Pool::current();
+  NodeTable const &nodes = pool.nodes();
+  NodeId list = pool.node(0.0);
+  for (RealNumber const number : arguments) {
+    NodeId const value = pool.node(number); // before the table is asked: a constant may be new
+    list = pool.node(pool.leaf(nodes.operation(Op::argument, list, value), 0, caller));
+  }
+  NodeId const function = pool.node(static_cast<double>(Externals::current().number(external)));
+  if (external.pure) return pool.leaf(nodes.operation(Op::call, list, function), 0, caller);
+  NodeId const before = pool.node(Externals::current().last_effect());
+  RealNumber const call = pool.leaf(nodes.operation(Op::call_in_order, list, function, before), 0, caller);
+  Externals::current().set_last_effect(call);
+  return call;
+}
+
+RealNumber record_result(RealNumber call, std::size_t number, double value, void const *caller) {
+  Pool &pool = Pool::current();
+  NodeId const which = pool.node(static_cast<double>(number));
+  return pool.leaf(pool.nodes().operation(Op::returned, pool.node(call), which), value, caller);
+}
+
+} // namespace
+
+void Implicit::begin(std::string const &label, Place const &place) {
+  parts_.push_back({label, place, {}, {}});
+  is_open_ = true;
+}
+
+void Implicit::element(RealNumber *number) {
+  parts_.back().places.push_back(number);
+  parts_.back().numbers.push_back(*number);
+}
+
+void Implicit::end() {
+  is_open_ = false;
+  if (parts_.size() == 2) {
+    relate(parts_[0], parts_[1]);
+    parts_.clear();
+  }
+}
+
+void Implicit::relate(Part const &unknown, Part const &residual) const {
+  auto const refuse = [](Part const &part, std::string const &why) {
+    report({DiagnosticId::pragma_item, part.place, "implicit(x, r): '" + part.label + "' " + why});
+    give_up();
+  };
+  std::size_t const count = unknown.numbers.size();
+  if (residual.numbers.size() != count)
+    refuse(residual, "has " + std::to_string(residual.numbers.size()) + " numbers, and '" + unknown.label + "' has " +
+                         std::to_string(count));
+  Pool &pool = Pool::current();
+  for (RealNumber const number : unknown.numbers) {
+    if (!number.is_node()) refuse(unknown, "depends on no input: nothing was solved");
+    if (is_leaf(pool.nodes()[pool.node(number)].op)) refuse(unknown, "is an input or a parameter: nothing was solved");
+  }
+  for (RealNumber const number : residual.numbers)
+    if (!number.is_node()) refuse(residual, "does not depend on '" + unknown.label + "'");
+  void const *const caller = __builtin_return_address(0);
+  std::vector<RealNumber> arguments = unknown.numbers;
+  arguments.insert(arguments.end(), residual.numbers.begin(), residual.numbers.end());
+  RealNumber const call = record_external_call(implicit_function(static_cast<std::uint32_t>(count)), arguments, caller);
+  for (std::size_t k = 0; k < count; ++k)
+    *unknown.places[k] = record_result(call, k, pool.carried_value(unknown.numbers[k]), caller);
+}
+
+} // namespace trace
+
+namespace detail {
+
 using trace::Pool;
 using Kind = ExternalValue::Kind;
 
@@ -103,28 +185,13 @@ struct ExternalCall::State {
                          "'" + external.name + "' may have effects and is called in an arm of a decision");
       trace::give_up();
     }
-    NodeTable const &nodes = pool.nodes();
-    NodeId list = pool.node(0.0);
-    for (RealNumber number : arguments) {
-      NodeId const value = pool.node(number); // before the table is asked: a constant may be new
-      list = pool.node(pool.leaf(nodes.operation(Op::argument, list, value), 0, caller));
-    }
-    NodeId const function = pool.node(static_cast<double>(Externals::current().number(external)));
-    if (external.pure) {
-      call = pool.leaf(nodes.operation(Op::call, list, function), 0, caller);
-      return;
-    }
-    NodeId const before = pool.node(Externals::current().last_effect());
-    call = pool.leaf(nodes.operation(Op::call_in_order, list, function, before), 0, caller);
-    Externals::current().set_last_effect(call);
+    call = trace::record_external_call(external, arguments, caller);
   }
 
   RealNumber next_result(double value) {
     std::size_t const number = result++;
     if (!call.is_node()) return value;
-    Pool &pool = Pool::current();
-    NodeId const which = pool.node(static_cast<double>(number));
-    return pool.leaf(pool.nodes().operation(Op::returned, pool.node(call), which), value, caller);
+    return trace::record_result(call, number, value, caller);
   }
 
   void take_written() {
@@ -197,4 +264,29 @@ void ExternalCall::returned() noexcept {
   state_->take_written();
 }
 
-} // namespace symreal::detail
+bool products_are_formulas() noexcept { return trace::floating_point() != FloatingPoint::strict; }
+
+ComplexParts compute_parts(ComplexFunction function, ComplexParts x, ComplexParts y) noexcept {
+  std::array<RealNumber, 4> const all = {x.real, x.imaginary, y.real, y.imaginary};
+  std::span const operands(all.data(), std::size_t{2} * info(function).arity);
+  ++executed[static_cast<unsigned>(Op::call)];
+  Pool &pool = Pool::current();
+  std::array<double, 4> arguments{};
+  bool is_symbolic = false, is_missing = false;
+  for (std::size_t k = 0; k < operands.size(); ++k) {
+    is_symbolic |= operands[k].is_node();
+    arguments[k] = pool.carried_value(operands[k]);
+    is_missing |= trace::is_missing(arguments[k]);
+  }
+  std::array<double, 2> results{missing_value(), missing_value()};
+  if (!is_missing) evaluate(function, std::span(arguments.data(), operands.size()), results);
+  if (!is_symbolic) return {results[0], results[1]};
+
+  void const *const caller = __builtin_return_address(0);
+  RealNumber const call = trace::record_external_call(external_of(function), operands, caller);
+  RealNumber const real = trace::record_result(call, 0, results[0], caller);
+  return {real, trace::record_result(call, 1, results[1], caller)};
+}
+
+} // namespace detail
+} // namespace symreal

@@ -1,8 +1,8 @@
 // Reads of arrays at symbolic indices.
-#include "engine/graph/opaque.h"
+#include "engine/graph/graph.h"
 #include "engine/support/number.h"
+#include "runtime/trace/decisions/decisions.h"
 #include "runtime/trace/decisions/explored_path.h"
-#include "runtime/trace/decisions/policy.h"
 #include "runtime/trace/describe/describe.h"
 #include "runtime/trace/nodes/externals.h"
 #include "runtime/trace/nodes/pool.h"
@@ -13,7 +13,6 @@
 #include <symreal/lookup.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace symreal {
 

@@ -1,4 +1,5 @@
-// Processes that execute the arms of a decision, one each, and the commands that they receive.
+// Processes that execute the arms of a decision, one each: the commands that they receive, and their arrivals at a
+// later decision, where they stand.
 //
 //   created ──executes──▶ stands at a decision ──advance──▶ two processes, one for each outcome
 //                                 │  ▲
@@ -7,14 +8,59 @@
 // The one in which all arms have come together goes on as the program.
 #pragma once
 
-#include "runtime/trace/decisions/arrival.h"
+#include "runtime/trace/decisions/guards.h"
+#include "runtime/trace/join/process_image.h"
+#include "runtime/trace/nodes/pool.h"
+#include "runtime/trace/state/state.h"
 
 #include <array>
 #include <optional>
 #include <span>
 #include <sys/types.h>
+#include <vector>
 
 namespace symreal::trace {
+
+// Extent of a recording at the decision where its arms parted.
+struct PartingPoint {
+  NodeId nodes = 0;
+  std::size_t guards = 0, told = 0;
+  RealNumber last_effect = 0.0;
+  bool has_text = false;
+
+  static PartingPoint now();
+};
+
+// Arrival of an arm's process: all that another process needs to go on for both.
+struct Arrival {
+  // Facts that two arrivals must agree on to merge, besides their memory.
+  struct Facts {
+    std::size_t tables = 0, externals = 0;
+    int policy = 0;
+    unsigned arithmetic = 0;   // rounding and other modes
+    std::size_t interface = 0; // of a kernel that has ended
+    bool operator==(Facts const &) const = default;
+  };
+
+  Facts facts;
+  ProcessImage image;
+  std::vector<Pool::Row> nodes; // recorded since
+  std::vector<Guards::Recorded> guards;
+  std::vector<StateNote> notes;
+  std::vector<std::uintptr_t> stack; // of the decision
+  RealNumber arm = 1.0;              // the condition under which the program comes here
+  bool is_hypothetical = false;
+
+  // Nullopt if something other than numbers has happened on the way: an effect, a diagnostic.
+  static std::optional<Arrival> here(PartingPoint const &since, Stand *stand, bool is_hypothetical);
+  static std::optional<Arrival> at_end(PartingPoint const &since, std::vector<RealNumber> const &results,
+                                       std::size_t interface, bool is_hypothetical);
+  void write(MessageWriter &writer) const;
+  static Arrival read(MessageReader &reader);
+
+private:
+  static std::optional<Arrival> since(PartingPoint const &parted, bool is_hypothetical);
+};
 
 // State shared by all processes of a region: their ids and channels.
 class Arms {

@@ -1,15 +1,15 @@
 #include "runtime/trace/decisions/explored_path.h"
 
 #include "runtime/memory/heap_blocks.h"
+#include "runtime/trace/decisions/decisions.h"
 #include "runtime/trace/decisions/guards.h"
-#include "runtime/trace/decisions/policy.h"
-#include "runtime/trace/decisions/range_test.h"
-#include "runtime/trace/decisions/zero_test.h"
+#include "runtime/trace/decisions/known_outcomes.h"
 #include "runtime/trace/describe/describe.h"
 #include "runtime/trace/kernel/kernel.h"
 #include "runtime/trace/nodes/pool.h"
 #include "runtime/trace/report/call_stack.h"
 #include "runtime/trace/report/events.h"
+#include "runtime/wire/request.h"
 
 #include <algorithm>
 #include <charconv>
@@ -44,7 +44,7 @@ ExploredPath &ExploredPath::current() {
   return *path;
 }
 
-bool ExploredPath::is_asked_for() { return std::getenv("SYMREAL_PATH"); }
+bool ExploredPath::is_asked_for() { return wire::requested(wire::Entry::path) != nullptr; }
 
 void ExploredPath::begin() {
   std::size_t const kernel = kernels_++;
@@ -52,7 +52,7 @@ void ExploredPath::begin() {
   is_explored_ = is_hypothetical_ = is_cut_at_end_ = false;
   prescribed_.clear();
   known_ = KnownOutcomes(floating_point() == FloatingPoint::strict);
-  char const *const asked = std::getenv("SYMREAL_PATH");
+  char const *const asked = wire::requested(wire::Entry::path);
   std::string_view const path = asked ? asked : "";
   std::size_t const first = path.find(':'), second = path.find(':', first + 1), last = path.rfind(':');
   if (first == path.npos || number(path.substr(0, first)) != kernel) return;

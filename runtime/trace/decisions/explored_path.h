@@ -1,7 +1,7 @@
 // One path through the decisions of a kernel, under policy explore. The driver runs the program once for each path, and
 // prescribes its first outcomes:
 //
-//   $SYMREAL_PATH   K:outcomes:depth:pieces, as in 0:tft:64:4000, or 0:tft:64z:0
+//   path=K:outcomes:depth:pieces, as in 0:tft:64:4000, or 0:tft:64z:0
 //
 // An outcome j: both arms of the decision come together again, and are recorded as one (join.h). Beyond the prescribed
 // outcomes the program tries a join first, until failed attempts have taken so many pieces of a run.

@@ -1,8 +1,8 @@
 #include "runtime/trace/decisions/guards.h"
 
-#include "engine/graph/guard_words.h"
+#include "engine/graph/graph.h"
 #include "runtime/memory/heap_blocks.h"
-#include "runtime/trace/decisions/policy.h"
+#include "runtime/trace/decisions/decisions.h"
 #include "runtime/trace/describe/describe.h"
 #include "runtime/trace/nodes/pool.h"
 #include "runtime/trace/report/call_stack.h"

@@ -19,7 +19,7 @@ public:
 
   void begin();
   // Reason why only one outcome is recorded.
-  enum class Reason : char { policy, zero, range }; // zero_test.h, range_test.h
+  enum class Reason : char { policy, zero, range }; // known_outcomes.h
 
   // Assumes that the condition has this outcome, the carried value's, on the current path. A repeated condition adds
   // nothing.

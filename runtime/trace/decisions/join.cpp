@@ -1,9 +1,9 @@
 #include "runtime/trace/decisions/join.h"
 
 #include "engine/support/page_allocator.h"
-#include "runtime/memory/mapped_memory.h"
+#include "runtime/memory/heap_blocks.h"
 #include "runtime/memory/own_memory.h"
-#include "runtime/trace/decisions/policy.h"
+#include "runtime/trace/decisions/decisions.h"
 #include "runtime/trace/report/events.h"
 
 #include <algorithm>

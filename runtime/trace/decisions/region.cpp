@@ -1,6 +1,6 @@
 #include "runtime/trace/decisions/region.h"
 
-#include "runtime/trace/decisions/policy.h"
+#include "runtime/trace/decisions/decisions.h"
 
 #include <algorithm>
 #include <ctime>

@@ -8,7 +8,6 @@
 #include "runtime/trace/decisions/arms.h"
 
 #include <map>
-#include <memory>
 
 namespace symreal::trace {
 

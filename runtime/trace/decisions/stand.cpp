@@ -1,5 +1,5 @@
 // Entry of decisions: saves the caller's preserved registers in memory, where they can be read and changed.
-#include "runtime/trace/join/stand.h"
+#include "runtime/trace/join/process_image.h"
 
 #include <symreal/real_number.h>
 

@@ -1,10 +1,9 @@
 #include "runtime/trace/join/process_image.h"
 
 #include "runtime/memory/heap_blocks.h"
-#include "runtime/memory/stack.h"
+#include "runtime/memory/own_memory.h"
 #include "runtime/memory/static_objects.h"
 
-#include <algorithm>
 #include <cstring>
 
 namespace symreal::trace {

@@ -3,12 +3,17 @@
 #include "engine/support/mutation/is_dropped.h"
 #include "engine/support/number.h"
 #include "runtime/memory/heap_blocks.h"
-#include "runtime/trace/report/crash.h"
 #include "runtime/trace/report/events.h"
+#include "runtime/wire/request.h"
+
+#include <symreal/original.h>
 
 #include <cmath>
+#include <csetjmp>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
+#include <vector>
 
 namespace symreal::trace {
 
@@ -68,7 +73,7 @@ void Kernel::set_range(double low, double high) {
 
 // Number of calls by which the kernel begins later than in the recorded run.
 static unsigned later_call() {
-  static char const *const later = std::getenv("SYMREAL_LATER_CALL");
+  static char const *const later = wire::requested(wire::Entry::later_call);
   return later ? static_cast<unsigned>(std::atoi(later)) : 0;
 }
 
@@ -112,3 +117,42 @@ void Kernel::end_region(char const *file_name, SourcePlace place) {
 }
 
 } // namespace symreal::trace
+
+#ifdef __x86_64__
+
+namespace symreal::trace {
+namespace {
+
+thread_local std::jmp_buf point;
+thread_local char *frame_begin = nullptr;
+thread_local std::vector<char> frame_bytes;
+thread_local bool is_again = false;
+
+} // namespace
+
+void run_again() {
+  if (!frame_begin) return;
+  // The function's frame lies above this one.
+  is_again = true;
+  std::memcpy(frame_begin, frame_bytes.data(), frame_bytes.size());
+  std::longjmp(point, 1);
+}
+
+} // namespace symreal::trace
+
+void *symreal_original_point() { return symreal::trace::point; }
+
+void symreal_original_keep(void const *frame) {
+  using namespace symreal::trace;
+  if (is_again) return; // only the first state is kept
+  symreal::memory::OwnWork const own;
+  // The bytes from the end of the function's stack, where this frame begins, to its saved registers.
+  frame_begin = static_cast<char *>(__builtin_frame_address(0)) + 2 * sizeof(void *);
+  frame_bytes.assign(frame_begin, static_cast<char *>(const_cast<void *>(frame)));
+}
+
+#else
+
+void symreal::trace::run_again() {}
+
+#endif

@@ -125,4 +125,9 @@ private:
   std::unique_ptr<Sink> sink_;
 };
 
+// Runs the function of the kernel that has ended once more within the same call of it: jumps back to its beginning if
+// the function has set the target (<symreal/original.h>); else does nothing. The function's own objects are then as at
+// the first time, objects that outlive it as it has left them.
+void run_again();
+
 } // namespace symreal::trace

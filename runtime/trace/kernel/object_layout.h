@@ -1,4 +1,5 @@
-// Reader of layout texts, which list the numbers of a structure (<symreal/object_layout.h>).
+// Reader of layout texts, which list the numbers of a structure (<symreal/object_layout.h>), and the extents that it
+// finds.
 #pragma once
 
 #include <symreal/object_layout.h>

@@ -1,6 +1,6 @@
 #include "runtime/trace/nodes/externals.h"
 
-#include "engine/support/same_bits.h"
+#include "engine/support/number.h"
 #include "runtime/memory/heap_blocks.h"
 #include "runtime/trace/nodes/pool.h"
 

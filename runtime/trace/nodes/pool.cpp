@@ -4,6 +4,7 @@
 #include "runtime/memory/heap_blocks.h"
 #include "runtime/trace/nodes/torn_numbers.h"
 #include "runtime/trace/report/events.h"
+#include "runtime/wire/request.h"
 
 #include <atomic>
 #include <bit>
@@ -39,11 +40,11 @@ Pool &Pool::current() {
 }
 
 Pool::Columns Pool::wanted_columns() {
-  auto has = [](char const *name, bool otherwise) {
-    char const *text = std::getenv(name);
+  auto has = [](wire::Entry entry, bool otherwise) {
+    char const *text = wire::requested(entry);
     return text ? *text != '0' : otherwise;
   };
-  return {has("SYMREAL_VALUES", true), has("SYMREAL_PLACES", false)};
+  return {has(wire::Entry::values, true), has(wire::Entry::places, false)};
 }
 
 // Generations that are being recorded now, in any thread.

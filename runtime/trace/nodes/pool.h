@@ -28,7 +28,7 @@ public:
     bool values = true;  // false: a decision, print or conversion is an error
     bool places = false; // 4 bytes a node
   };
-  // Columns that $SYMREAL_VALUES and $SYMREAL_PLACES ask for.
+  // Columns that the entries `values` and `places` of the request ask for.
   static Columns wanted_columns();
 
   // Begins a recording with a generation of its own.

@@ -4,7 +4,6 @@
 #include "runtime/memory/own_memory.h"
 #include "runtime/trace/nodes/pool.h"
 #include "runtime/trace/report/events.h"
-#include "runtime/trace/report/written_place.h"
 
 #include <symreal/state.h>
 

@@ -1,10 +1,7 @@
 // Effects of a kernel outside of the program: on files, the environment and processes. Its system calls are
-// watched between two moments, and the environment is compared.
-//
-// Method: Linux hands each system call of this thread over as a signal (syscall user dispatch, Linux 5.11), whose
-// handler notes it and carries it out. If the system cannot do that, only the environment is compared. Actions
-// of signals are compared, too, since calls may change them for a while. Output that the C library keeps in its buffers
-// is written while the calls are watched. Functions that change the libraries' own state tell of it (effect_hooks.cpp).
+// watched between two moments (system_calls.h), and the environment and the formats of the standard streams are
+// compared. Output that the C library keeps in its buffers is written while the calls are watched. Functions that
+// change the libraries' own state tell of it (effect_hooks.cpp).
 #pragma once
 
 #include <string>
@@ -28,5 +25,8 @@ void note_effect(char const *what);
 void note_result(char const *function);
 // Ends the watch and returns each effect once. `discard`: buffered output is not written.
 std::vector<Effect> effects_on_world(bool discard = false);
+
+// Gives each standard stream another format, so that output that depends on it shows.
+void change_formats();
 
 } // namespace symreal::trace

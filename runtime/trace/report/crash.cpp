@@ -1,5 +1,4 @@
-#include "runtime/trace/report/crash.h"
-
+// Report of a signal that ended the program, for the driver (watch_for_crashes).
 #include "runtime/trace/report/call_stack.h"
 #include "runtime/trace/report/events.h"
 

@@ -4,8 +4,10 @@
 #include "engine/support/mutation/is_dropped.h"
 #include "runtime/memory/heap_blocks.h"
 #include "runtime/trace/report/call_stack.h"
+#include "runtime/wire/request.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cstdio>
 #include <cstdlib>
 #include <iostream>
@@ -56,6 +58,15 @@ Log &log() {
   return *instance;
 }
 
+std::string joined(std::initializer_list<std::string> fields) {
+  std::string line;
+  for (std::string const &field : fields) {
+    if (&field != fields.begin()) line += '\t';
+    for (char c : field) line += c == '\t' || c == '\n' || c == '\r' ? ' ' : c;
+  }
+  return line;
+}
+
 } // namespace
 
 std::string hexadecimal(std::vector<std::uintptr_t> const &addresses) {
@@ -68,22 +79,21 @@ std::string hexadecimal(std::vector<std::uintptr_t> const &addresses) {
   return text;
 }
 
-namespace {
-
-std::string joined(std::initializer_list<std::string> fields) {
-  std::string line;
-  for (std::string const &field : fields) {
-    if (&field != fields.begin()) line += '\t';
-    for (char c : field) line += c == '\t' || c == '\n' || c == '\r' ? ' ' : c;
+Place written_place(std::string_view place) {
+  std::string text(place);
+  unsigned numbers[2] = {0, 0};
+  for (unsigned &number : numbers) {
+    std::size_t const colon = text.rfind(':');
+    if (colon == std::string::npos) return {text, 0, 0};
+    std::from_chars(text.data() + colon + 1, text.data() + text.size(), number);
+    text.resize(colon);
   }
-  return line;
+  return {text, numbers[1], numbers[0]};
 }
-
-} // namespace
 
 std::string const &record_directory() {
   static std::string const *const directory = [] {
-    char const *text = std::getenv("SYMREAL_RECORD");
+    char const *text = wire::requested(wire::Entry::record);
     return new std::string(text ? text : "");
   }();
   return *directory;

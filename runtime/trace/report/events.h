@@ -1,6 +1,6 @@
 // Events that the recording reports to the driver: lines of tab-separated fields in the file `events` of
-// $SYMREAL_RECORD, rewritten at each kernel's begin and end and at exit. A program started by hand has no such
-// directory and prints its diagnostics.
+// the directory `record` (runtime/wire/request.h), rewritten at each kernel's begin and end and at exit. A program
+// started by hand has no such directory and prints its diagnostics.
 //
 //   started     kernel
 //   kernel      name  N.graph  output file
@@ -20,11 +20,15 @@
 #include <cstdint>
 #include <initializer_list>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace symreal::trace {
 
 std::string hexadecimal(std::vector<std::uintptr_t> const &addresses); // separated by commas
+
+// The place that the rewriter has written into the program: "file:line:column".
+Place written_place(std::string_view place);
 
 void event(std::initializer_list<std::string> fields);
 void report(Diagnostic const &diagnostic);
@@ -49,7 +53,12 @@ void flush_events();
 // After an error that leaves nothing sensible to go on with: writes the events and ends the process.
 [[noreturn]] void give_up();
 
-// $SYMREAL_RECORD, or empty.
+// Directory of the recording, as the request names it; empty in a program started by hand.
 std::string const &record_directory();
+
+// Installs handlers that write fatal signals down while the program records itself: the file `crash` in the directory
+// of the recording then holds "SIGNAL address,address,...", hexadecimal, relative to the load base, innermost first. A
+// handler that the program, or a sanitizer, has installed stays.
+void watch_for_crashes();
 
 } // namespace symreal::trace

@@ -3,7 +3,6 @@
 //
 // Weak, so that a program with a function of such a name has its own.
 #include "runtime/memory/heap_blocks.h"
-#include "runtime/memory/mapped_memory.h"
 #include "runtime/trace/state/state.h"
 
 #include <cstddef>

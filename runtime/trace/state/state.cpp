@@ -1,24 +1,16 @@
 #include "runtime/trace/state/state.h"
 
 #include "engine/support/mutation/is_dropped.h"
-#include "engine/support/number.h"
-#include "runtime/memory/object_end.h"
 #include "runtime/memory/own_memory.h"
-#include "runtime/trace/nodes/pool.h"
+#include "runtime/memory/static_objects.h"
 #include "runtime/trace/report/call_stack.h"
 #include "runtime/trace/report/events.h"
-#include "runtime/trace/report/written_place.h"
 
 #include <algorithm>
 #include <cstdlib>
 #include <cstring>
-#include <tuple>
 
-namespace symreal {
-
-namespace trace {
-
-Place State::place_of(Site const &site) { return written_place(site.place); }
+namespace symreal::trace {
 
 State &State::current() {
   static constinit thread_local State *state = nullptr;
@@ -296,213 +288,100 @@ void State::moved(void *block, std::size_t size, void *to, std::size_t new_size)
   scalars_.move(block, size, to);
 }
 
-// A number that holds a node is an ordinary one again.
-void State::make_plain(RealNumber const *number) { Pool::current().make_plain(*const_cast<RealNumber *>(number)); }
-
-void State::report_lost(Site const &site) {
-  if (is_private(site) || !reported_.insert(site).second) return;
-  report({DiagnosticId::state_not_output, written_place(site.place),
-          "the kernel writes '" + std::string(site.name) + "', which is not an output"});
+void State::constant_with_owned(void const *begin, std::size_t size) {
+  memory::Known const object{static_cast<char const *>(begin), size};
+  for (memory::Known const &one : image_ ? image_->owned(object) : std::vector{object}) constant(one.begin, one.size);
 }
 
-// Marks the object and the heap blocks reachable from it as scratch: ownership, by a container, a smart pointer or a
-// plain pointer, cannot be read from the bytes.
-void State::leave(memory::Known object, std::vector<memory::HeapBlock> const &blocks) {
-  std::vector<memory::Known> const all = image_ ? image_->owned(object, blocks) : std::vector<memory::Known>{object};
-  for (memory::Known const &one : all) {
-    if ((shadow_.at(one.begin) & mark::freed) != 0) continue;
-    for (std::size_t k = 0; k < one.size / sizeof(RealNumber); ++k) {
-      RealNumber const *number = reinterpret_cast<RealNumber const *>(one.begin) + k;
-      shadow_.add(number, sizeof *number, mark::scratch);
-      make_plain(number);
-    }
-    scalars_.forget(one.begin, one.size);
-  }
+bool State::has_changed(RealNumber const *number) const {
+  char const *before = image_ ? image_->before(number) : nullptr;
+  return before && std::memcmp(before, static_cast<void const *>(number), sizeof *number) != 0;
 }
 
-// Marks all scratch objects: their final contents are not lost state.
-void State::mark_scratch() {
+void State::decided() {
+  for (Initialisation &one : initialisations_) one.depends_on_input = true;
+}
+
+void State::give_up_initialisation(void const *guard) {
+  std::erase_if(initialisations_, [guard](Initialisation const &one) { return one.guard == guard; });
+}
+
+// An initialised object is like any other: later changes in it are state.
+void State::end_initialisation(void const *guard) {
+  auto const found = std::ranges::find(initialisations_, guard, &Initialisation::guard);
+  if (found == initialisations_.end()) return;
+  Initialisation ended = std::move(*found);
+  initialisations_.erase(found);
+  if (!image_) return;
+  ended.objects = image_->guarded(guard);
+  if (ended.objects.empty()) return; // the runtime's own
+  image_->update(guard, sizeof(std::uint64_t));
   std::vector<memory::HeapBlock> const blocks = memory::heap_blocks();
-  for (auto const &[begin, object] : names_)
-    if (scratch_files_.contains(place_of(object.site).file))
-      scratch_.push_back({begin, object.size, [](void const *, Numbers &) {}});
-  for (Scratch const &one : scratch_) {
-    if ((shadow_.at(one.object) & mark::freed) != 0) continue;
-    struct {
-      State &state;
-      void operator()(RealNumber const *number) const {
-        state.shadow_.add(number, sizeof *number, mark::scratch);
-        state.make_plain(number);
-      }
-      void operator()(ScalarObject scalar) const { state.scalars_.forget(scalar); }
-    } left{*this};
-    Numbers numbers(left);
-    one.visit(one.object, numbers);
-    leave({static_cast<char const *>(one.object), one.size}, blocks);
-  }
-}
-
-// The caller sees changed inputs.
-void State::judge_inputs() {
-  for (Input const &one : inputs_) {
-    bool const is_own = detail::on_own_stack(one.number) || (shadow_.at(one.number) & mark::own) != 0 ||
-                        is_private(site_of(one.number, "", ""));
-    if (is_own || may_be_left(one.number) || one.number->to_bits() == one.bits) continue;
-    auto const written = std::find_if(written_.begin(), written_.end(),
-                                      [&one](Written const &each) { return each.begin == one.number; });
-    if (written != written_.end())
-      report_lost(written->site);
-    else if (reported_inputs_.insert(one.label).second)
-      report({DiagnosticId::state_not_output, one.place,
-              "the kernel writes input '" + *one.label + "', which is not an output"});
-  }
-}
-
-// Whether a part of this container is annotated, so that its number of elements shows.
-bool State::vouches(void const *container) {
-  struct {
-    State &state;
-    bool any = false;
-    void operator()(RealNumber const *number) { any = any || (state.shadow_.at(number) & mark::vouches) != 0; }
-    void operator()(ScalarObject scalar) {
-      any = any || state.scalars_.is_annotated(scalar) || state.members_.contains(scalar.address) ||
-            (state.shadow_.at(scalar.address) & mark::vouches) != 0;
-    }
-  } look{*this};
-  if ((shadow_.at(container) & mark::freed) != 0) return false;
-  Numbers numbers(look);
-  if (auto const counted = counted_.find(container); counted != counted_.end())
-    counted->second(container, numbers);
-  else
-    for (Changed const &one : changed_)
-      if (one.object == container) one.visit(one.object, numbers);
-  return look.any;
-}
-
-// A scalar that was read keeps the value that it had then; one that has changed is lost. A static one of a function
-// that this path writes before it reads it may be read on another, which is the original's where a guard fails.
-void State::judge_scalars(bool has_guards) {
-  for (Scalars::Noted const &one : scalars_.noted()) {
-    Marks const marks = shadow_.at(one.scalar.address);
-    if ((marks & mark::freed) != 0) continue;
-    bool const is_object = one.scalar.kind == ScalarObject::Kind::object; // which its elements vouch for
-    bool const is_vouched = is_object && vouches(one.scalar.address);
-    bool const is_constant = (marks & (is_object ? mark::vouches : mark::constant)) != 0 ||
-                             scalars_.is_annotated(one.scalar) || (is_object && one.is_scratch) || is_vouched;
-    bool const private_scratch = one.site.scope == detail::Scope::scratch ||
-                                 (!one.is_read && one.site.scope == detail::Scope::function && !has_guards);
-    if (one.is_lost() && is_vouched) continue;
-    if (one.is_lost() && private_scratch)
-      event({"scratch", std::string(one.site.name)});
-    else if (one.is_lost() && !is_private(one.site))
-      report_lost(one.site);
-    else if (one.is_read && !is_constant) {
-      Read &read = reads_[one.site];
-      (members_.contains(one.scalar.address) ? read.members : read.scalars).push_back(one.value());
+  for (memory::Change const &object : ended.objects) {
+    memory::Known const bytes{object.object, object.size};
+    ended.depends_on_input = ended.depends_on_input || holds_input(bytes);
+    image_->update(bytes.begin, bytes.size);
+    for (memory::Known const &owned : image_->owned(bytes, blocks)) {
+      auto const block = std::ranges::find(blocks, owned.begin, &memory::HeapBlock::begin);
+      if (block != blocks.end()) image_->add(*block);
     }
   }
+  initialised_.push_back(std::move(ended));
 }
 
-void State::warn_overlooked() const {
-  report({DiagnosticId::state_not_looked_for,
-          {},
-          "Symreal did not look at what the kernel reads through pointers and from members: the program has an "
-          "allocator of its own"});
+// Journal of the state: merges the facts that two processes have learned on their ways to one place.
+
+void State::begin_journal() {
+  journal_.clear();
+  keeps_journal_ = true;
+  has_met_outside_ = false;
 }
 
-// Adds the known values; targets of function pointers and contents of library objects are unknown.
-static void add_known(std::vector<double> &values, std::vector<std::optional<double>> const &scalars) {
-  for (std::optional<double> const &scalar : scalars)
-    if (scalar) values.push_back(*scalar);
+bool State::learn(std::vector<StateNote> const &notes) {
+  return std::ranges::all_of(notes, [this](StateNote const &note) { return learn(note); });
 }
 
-// State that was read freezes its value at that time, unless it has changed since.
-void State::judge_reads(std::vector<Frozen> &frozen) {
-  for (auto &[site, read] : reads_) {
-    Frozen state{std::string(site.name), written_place(site.place), {}, site.scope == detail::Scope::around, false,
-                 std::move(read.stack)};
-    std::vector<double> kept; // by outputs
-    for (std::size_t k = 0; k < read.numbers.size(); ++k) {
-      RealNumber const *number = read.numbers[k];
-      Marks const marks = shadow_.at(number);
-      bool const changed_since =
-          (marks & mark::freed) == 0 && number->to_bits() != RealNumber(read.values[k]).to_bits();
-      if (changed_since && (marks & mark::may_be_left) == 0 && !is_private(site))
-        report_lost(site);
-      else if ((marks & mark::constant) == 0 && !was_written_by_kernel(number, read.values[k]))
-        ((marks & mark::output) != 0 && !is_private(site) ? kept : state.values).push_back(read.values[k]);
-      if (changed_since) make_plain(number);
-    }
-    bool const any_frozen = !state.values.empty();
-    add_known(state.values, read.scalars);
-    if (!kept.empty())
-      report({DiagnosticId::output_keeps_value, state.place,
-              "a result depends on what output '" + state.name + "' held before (" + shortest(kept[0]) +
-                  (kept.size() > 1 ? ", ...)" : ")")});
-    Frozen members = state;
-    members.values.clear();
-    add_known(members.values, read.members);
-    members.is_member = true;
-    if (!read.members.empty()) frozen.push_back(std::move(members));
-    if (any_frozen || !read.scalars.empty()) frozen.push_back(std::move(state));
+// Its journal has these notes as well from now on.
+bool State::learn(StateNote const &one) {
+  auto const *number = static_cast<RealNumber const *>(one.object);
+  switch (one.kind) {
+  case StateNote::Kind::named:
+    if ((shadow_.at(one.object) & mark::named) != 0 && names_.contains(one.object)) return true;
+    shadow_.add(one.object, 1, mark::named);
+    names_[one.object] = {one.size, one.site};
+    break;
+  case StateNote::Kind::read:
+    if ((shadow_.at(number) & mark::read) != 0) return true;
+    shadow_.add(number, sizeof *number, mark::noted);
+    add_read(number, one.value, one.site);
+    return true;
+  case StateNote::Kind::read_scalar: {
+    auto const &noted = scalars_.noted();
+    auto const known = std::ranges::find(noted, one.object, [](auto const &each) { return each.scalar.address; });
+    if (known != noted.end()) return known->is_read; // else it was written here before, and there it was not
+    (void)read_at(one.site);
+    scalars_.note(one.scalar, one.site, Scalars::First::read);
+    break;
   }
-  for (auto &[label, copy] : copies_) frozen.push_back(std::move(copy));
-}
-
-void State::judge_writes() {
-  for (Written const &one : written_)
-    for (std::size_t k = 0; k < one.size / sizeof(RealNumber); ++k) {
-      auto const *number = static_cast<RealNumber const *>(one.begin) + k;
-      Marks const marks = shadow_.at(number);
-      if ((marks & (mark::may_be_left | mark::input)) == 0) report_lost(one.site);
-      if ((marks & mark::freed) == 0) make_plain(number);
-    }
-  for (Changed const &one : changed_) {
-    if ((shadow_.at(one.object) & mark::freed) != 0) continue;
-    auto look = [&](RealNumber const *number) {
-      if (number->is_node() && (shadow_.at(number) & (mark::may_be_left | mark::input)) == 0) report_lost(one.site);
-      make_plain(number);
-    };
-    Numbers numbers(look);
-    one.visit(one.object, numbers);
+  case StateNote::Kind::written:
+    if ((shadow_.at(one.object) & mark::written) != 0) return true;
+    shadow_.add(one.object, one.size, mark::noted | mark::written);
+    written_.push_back({one.object, one.size, one.site});
+    break;
+  case StateNote::Kind::written_scalar:
+    if (!scalars_.is_noted(one.object)) scalars_.note(one.scalar, one.site, Scalars::First::written);
+    scalars_.change(one.object);
+    break;
+  case StateNote::Kind::changed:
+    if ((shadow_.at(one.object) & mark::changed) != 0) return true;
+    shadow_.add(one.object, 1, mark::changed);
+    changed_.push_back({one.object, one.visit, one.site});
+    break;
+  case StateNote::Kind::taken_back: (void)take_written(number); return true;
+  case StateNote::Kind::kept: was_written(number); break;
   }
+  note(one);
+  return true;
 }
 
-void State::end_untold() {
-  detail::recording = false;
-  std::vector<memory::Change> const changes = image_ ? image_->changes({}) : std::vector<memory::Change>();
-  for (memory::Change const &change : changes) {
-    std::size_t const first = change.first / sizeof(RealNumber) * sizeof(RealNumber);
-    Pool::current().make_plain(change.object + first,
-                               std::min(change.size, change.end + sizeof(RealNumber) - 1) - first);
-  }
-  image_.reset();
-  shadow_.clear();
-}
-
-std::vector<Frozen> State::end(Place const &kernel, bool has_guards) {
-  detail::recording = false;
-  judge_initialised(kernel); // while the objects still hold nodes
-  mark_scratch();
-  judge_inputs();
-  judge_scalars(has_guards && !is_dropped("beyond_guards"));
-  std::vector<Frozen> frozen;
-  judge_reads(frozen);
-  for (auto &[function, values] : outside_)
-    frozen.push_back({function.first, {}, std::move(values), false, false, function.second});
-  judge_writes();
-  judge_memory(kernel);
-  image_.reset();
-  // Sorted, since the order of operand evaluation is the compiler's choice.
-  std::sort(frozen.begin(), frozen.end(), [](Frozen const &a, Frozen const &b) {
-    return std::tie(a.place.file, a.place.line, a.place.column, a.name) <
-           std::tie(b.place.file, b.place.line, b.place.column, b.name);
-  });
-  if (overlooked_) warn_overlooked();
-  tell_clauses(frozen, kernel);
-  shadow_.clear();
-  return frozen;
-}
-
-} // namespace trace
-} // namespace symreal
+} // namespace symreal::trace

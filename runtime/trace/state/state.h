@@ -6,7 +6,6 @@
 #include "runtime/memory/memory_image.h"
 #include "runtime/memory/own_memory.h"
 #include "runtime/trace/nodes/torn_numbers.h"
-#include "runtime/trace/state/scalars.h"
 #include "runtime/trace/state/shadow.h"
 
 #include <symreal/state.h>
@@ -16,12 +15,11 @@
 #include <optional>
 #include <set>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace symreal::trace {
 
-// A fact about the state that one process has learned, for another that goes on for both (state_journal.cpp).
+// A fact about the state that one process has learned, for another that goes on for both.
 struct StateNote {
   enum class Kind { named, read, read_scalar, written, written_scalar, changed, taken_back, kept } kind;
   void const *object;
@@ -168,7 +166,6 @@ private:
   void judge_inputs();
   void judge_reads(std::vector<Frozen> &frozen);
   void judge_writes();
-  // state_memory.cpp
   std::vector<memory::Known> known_changes();
   bool has_changed(RealNumber const *number) const;
   void judge_memory(Place const &kernel);
@@ -183,10 +180,7 @@ private:
   }
   void judge_scalars(bool has_guards);
   bool vouches(void const *container);
-  static Place place_of(Site const &site);
-  // state_clauses.cpp
   void tell_clauses(std::vector<Frozen> const &frozen, Place const &kernel) const;
-  void warn_overlooked() const;
 
   Shadow shadow_;
   bool heap_is_known_ = false;
@@ -217,5 +211,9 @@ private:
   bool keeps_journal_ = false, has_met_outside_ = false;
   bool overlooked_ = false; // something could not be judged
 };
+
+// Whether a recording of instructions judges the reads and writes of memory other than annotated objects, like a
+// rewritten text's notes: if the driver wants code from this recording, not a comparison.
+bool watches_memory();
 
 } // namespace symreal::trace

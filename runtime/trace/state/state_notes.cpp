@@ -1,9 +1,15 @@
-// Entry points of the macros in a rewritten program, which forward to the State of the thread.
-#include "runtime/memory/object_end.h"
+// Entry points that forward to the State of the thread: those of the macros in a rewritten program, and those of the
+// original's instructions, inserted by the pass of oracle/.
 #include "runtime/memory/own_memory.h"
+#include "runtime/memory/static_objects.h"
+#include "runtime/trace/nodes/pool.h"
 #include "runtime/trace/state/state.h"
+#include "runtime/wire/request.h"
 
 #include <symreal/environment.h>
+
+#include <cstdlib>
+#include <cstring>
 
 namespace symreal {
 
@@ -112,4 +118,62 @@ void constant_bytes(void const *object, std::size_t size) noexcept {
 }
 
 } // namespace detail
+
+namespace trace {
+
+bool watches_memory() {
+  static bool const is_wanted = wire::requested(wire::Entry::watch) != nullptr;
+  return is_wanted;
+}
+
+namespace {
+
+bool is_watched(void const *begin) { return detail::recording && watches_memory() && !detail::is_own(begin); }
+
+bool holds_node(void const *begin) {
+  std::uint64_t bits;
+  std::memcpy(&bits, begin, sizeof bits);
+  return Pool::is_tagged(bits);
+}
+
+} // namespace
+} // namespace trace
 } // namespace symreal
+
+using symreal::RealNumber;
+
+extern "C" {
+
+void symreal_reads(void const *begin, std::size_t size, int is_number, char const *name, char const *place) noexcept {
+  if (!symreal::trace::is_watched(begin)) return;
+  bool const moves_number = size == sizeof(RealNumber) && symreal::trace::holds_node(begin);
+  if (is_number || moves_number)
+    for (std::size_t at = 0; at + sizeof(RealNumber) <= size; at += sizeof(RealNumber))
+      symreal::detail::note_read(reinterpret_cast<RealNumber const *>(static_cast<char const *>(begin) + at), name,
+                                 place);
+  else if (size <= sizeof(std::uint64_t))
+    symreal::detail::note_scalar_read({begin, static_cast<unsigned char>(size), symreal::ScalarObject::Kind::natural},
+                                      name, place);
+}
+
+void symreal_writes(void const *begin, std::size_t size, int is_number, char const *name, char const *place) noexcept {
+  if (!symreal::trace::is_watched(begin)) return;
+  if (is_number || size > sizeof(std::uint64_t))
+    symreal::detail::note_written(begin, size, name, place);
+  else
+    symreal::detail::note_scalar_written(
+        {begin, static_cast<unsigned char>(size), symreal::ScalarObject::Kind::natural}, name, place);
+}
+
+// Reads and writes of bytes: whole words count as numbers.
+void symreal_reads_bytes(void const *begin, std::size_t size, char const *name, char const *place) noexcept {
+  auto const *bytes = static_cast<char const *>(begin);
+  bool const are_words = size % sizeof(RealNumber) == 0;
+  std::size_t const step = are_words ? sizeof(RealNumber) : 1;
+  for (std::size_t at = 0; at < size; at += step) symreal_reads(bytes + at, step, are_words, name, place);
+}
+
+void symreal_writes_bytes(void const *begin, std::size_t size, char const *name, char const *place) noexcept {
+  if (symreal::trace::is_watched(begin)) symreal::detail::note_written(begin, size, name, place);
+}
+} // extern "C"

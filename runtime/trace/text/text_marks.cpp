@@ -1,11 +1,12 @@
 #include "runtime/trace/text/text_marks.h"
 
-#include "engine/support/items.h"
+#include "engine/support/text.h"
 #include "runtime/memory/own_memory.h"
 #include "runtime/trace/describe/describe.h"
 #include "runtime/trace/nodes/pool.h"
 #include "runtime/trace/report/events.h"
-#include "runtime/trace/report/written_place.h"
+
+#include <symreal/standard_library.h>
 
 #include <fstream>
 #include <iostream>
@@ -256,4 +257,31 @@ void read_stream(std::ios const &stream, char const *name, char const *place) no
 }
 
 } // namespace detail
+
+namespace types {
+
+std::ostream &operator<<(std::ostream &out, RealNumber x) {
+  double const number = x.is_node() ? detail::needed_value(x) : x.plain();
+  if (x.is_node() && detail::recording) {
+    std::ostringstream text; // as it will read there
+    text.copyfmt(out);
+    text << number;
+    detail::made_stream(out, text.view(), x);
+  }
+  return out << number;
+}
+
+std::ostream &operator<<(std::ostream &out, SymbolicBool x) {
+  detail::made_stream(out, symreal_value(x) ? "1" : "0", x.condition());
+  return out << symreal_value(x);
+}
+
+std::istream &operator>>(std::istream &in, RealNumber &x) {
+  double number = 0;
+  in >> number;
+  x = number;
+  return in;
+}
+
+} // namespace types
 } // namespace symreal

@@ -40,7 +40,7 @@ def drawn(random, language, index, excluded, often=()):
 
 # What is known to be wrong and not repaired yet: `run.py --open` includes it.
 OPEN = {}
-# The same with `--via-ir`.
-OPEN_VIA_IR = {
+# The same with `--record=instructions`.
+OPEN_INSTRUCTIONS = {
     "returned_objects": "a structure of C that is returned through a hidden pointer counts as state of the caller: SYM053",
 }

@@ -27,10 +27,10 @@ OF_POLICIES = {"SYM016", "SYM051", "SYM095"}
 
 class Session:
     def __init__(self, symreal, language, policy, mode, directory, samples=60, verify=False, oracle=False, quick=True,
-                 timeout=3600, via_ir=False, cache=None):
+                 timeout=3600, instructions=False, cache=None):
         self.symreal, self.language, self.policy, self.mode = symreal, language, policy, mode
         self.directory, self.samples, self.verify, self.timeout = directory, samples, verify, timeout
-        self.quick, self.oracle, self.route = quick, oracle, ["--via-ir"] if via_ir else []
+        self.quick, self.oracle, self.route = quick, oracle, ["--record=instructions"] if instructions else []
         self.cache = cache or directory  # verify needs the program that generate has built
         self.path, self.places = os.path.join(directory, "batch" + SUFFIX[language]), {}
 

@@ -1,4 +1,4 @@
-#include "engine/analysis/blocks/block_figures.h"
+#include "engine/analysis/blocks/partition.h"
 
 #include "random_tasks.h"
 

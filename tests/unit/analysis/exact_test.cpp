@@ -1,7 +1,7 @@
 #include "engine/analysis/scheduling/exact.h"
 
 #include "engine/analysis/scheduling/bounds.h"
-#include "engine/analysis/scheduling/exact_communicating.h"
+#include "engine/analysis/scheduling/communicating.h"
 #include "engine/analysis/scheduling/improvement.h"
 #include "exhaustive.h"
 #include "random_graphs.h"

@@ -1,4 +1,4 @@
-#include "engine/analysis/growth/growth.h"
+#include "engine/analysis/figures/growth.h"
 
 #include <gtest/gtest.h>
 

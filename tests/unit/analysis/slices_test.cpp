@@ -1,4 +1,4 @@
-#include "engine/analysis/sharing/slices.h"
+#include "engine/analysis/sharing/sharing.h"
 
 #include "random_tasks.h"
 

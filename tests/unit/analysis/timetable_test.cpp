@@ -1,4 +1,4 @@
-#include "engine/analysis/scheduling/parts.h"
+#include "engine/analysis/scheduling/network.h"
 #include "engine/analysis/scheduling/timetable.h"
 
 #include <gtest/gtest.h>

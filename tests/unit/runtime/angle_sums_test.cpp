@@ -4,7 +4,6 @@
 #include "engine/graph/node_table.h"
 #include "engine/graph/statistics.h"
 #include "engine/graph/validate.h"
-#include "engine/optimise/algebra/angle_forms.h"
 #include "engine/optimise/algebra/angle_sums.h"
 #include "engine/optimise/algebra/recovery.h"
 #include "engine/optimise/passes/pass.h"

@@ -1,4 +1,4 @@
-#include "engine/optimise/algebra/constant_forms.h"
+#include "engine/optimise/algebra/graph_network.h"
 
 #include <gtest/gtest.h>
 #include <random>

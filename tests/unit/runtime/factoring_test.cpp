@@ -1,7 +1,5 @@
 // Each way of finding structure by itself: what it finds in small networks.
-#include "engine/optimise/algebra/factoring.h"
-#include "engine/optimise/algebra/resubstitution.h"
-#include "engine/optimise/algebra/windows.h"
+#include "engine/optimise/algebra/search.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +9,7 @@ namespace {
 class Factoring : public ::testing::Test {
 protected:
   Network network{std::make_shared<Context>()};
-  Search search{1};
+  SearchState search{1};
 
   Literal input(std::uint32_t slot) { return network.leaf(slot, Attribute::variable, no_hazard, random_value(slot)); }
   Literal parameter(std::uint32_t slot) {
@@ -76,7 +74,7 @@ TEST_F(Factoring, ResubstitutionUsesWhatIsThere) {
   Literal const rest = network.sum(network.sum(b, c), d);
   Literal const other = network.sum(network.sum(network.product(a, b), network.product(a, c)), network.product(a, d));
   network.roots = {sum, rest, other};
-  Network const made = rebuilt(resubstituted(network, {}, search));
+  Network const made = rebuilt(resubstituted(network, false, search));
   EXPECT_LT(cost_of(made), cost_of(network));
   expect_same_roots(made);
 }
@@ -87,7 +85,7 @@ TEST_F(Factoring, ResubstitutionComesToRestOnNoDivision) {
   Literal const quotient = network.quotient(y, z);
   // x y + y is (x + 1) y; with q = y / z there, y is q z.
   network.roots = {quotient, network.sum(network.product(x, y), network.product(y, y)), network.product(quotient, x)};
-  Network const made = rebuilt(resubstituted(network, {}, search));
+  Network const made = rebuilt(resubstituted(network, false, search));
   EXPECT_EQ(made[made.roots[1]].hazards, no_hazard);
   expect_same_roots(made);
 }

@@ -1,8 +1,8 @@
 // Chains that wait for themselves become loops whose iterations wait for nothing, and what they store shares places.
 #include "engine/plan/reroll/bodies.h"
 #include "engine/plan/reroll/interchange.h"
+#include "engine/plan/reroll/memory.h"
 #include "engine/plan/reroll/reroll.h"
-#include "engine/plan/reroll/storage.h"
 #include "graph_builder.h"
 #include "loop_run.h"
 

@@ -142,7 +142,7 @@ TEST(Lanes, TheProofSeesAFault) {
     Schedule const plan = schedule(graph);
     std::size_t const width = std::array{2, 4, 8}[seed % 3];
     LaneFunction const function = laned(plan, width).compute.value_or(LaneFunction());
-    lanes::Function const of(plan, width);
+    lanes::ScalarFunction const of(plan, width);
     auto const expect_fault = [&](auto const &spoil) {
       LaneFunction wrong = function;
       if (!spoil(wrong)) return;

@@ -131,7 +131,8 @@ TEST(Language, WhatItHasNotIsAnError) {
 }
 
 TEST(Language, PatternsFillTheirPlaces) {
-  EXPECT_EQ(fill("$type $name = ${value}u;", {{"type", "int"}, {"name", "t1"}, {"value", "3"}}), "int t1 = 3u;");
+  EXPECT_EQ(Filling().set("type", "int").set("name", "t1").set("value", "3")("$type $name = ${value}u;"),
+            "int t1 = 3u;");
 }
 
 TEST(Language, EachRowHasATable) {

@@ -3,8 +3,6 @@
 
 #include "engine/graph/evaluate.h"
 #include "engine/plan/reroll/loop_program.h"
-#include "engine/plan/reroll/mirrors.h"
-#include "engine/plan/reroll/nest.h"
 #include "engine/plan/schedule/schedule.h"
 
 #include <cmath>

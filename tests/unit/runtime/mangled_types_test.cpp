@@ -1,4 +1,4 @@
-#include "runtime/trace/text/mangled_types.h"
+#include "runtime/trace/text/type_names.h"
 
 #include <symreal/real_number.h>
 #include <symreal/symbolic_int.h>

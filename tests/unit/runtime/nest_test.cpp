@@ -1,4 +1,4 @@
-#include "engine/plan/reroll/nest.h"
+#include "engine/plan/reroll/loop_program.h"
 
 #include <gtest/gtest.h>
 

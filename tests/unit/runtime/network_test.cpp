@@ -1,7 +1,6 @@
 // Nodes that are equal by algebra are one, and none is that rests on what the other does not.
 #include "engine/graph/graph_text.h"
 #include "engine/optimise/algebra/graph_network.h"
-#include "engine/optimise/algebra/reciprocals.h"
 
 #include "graph_words.h"
 

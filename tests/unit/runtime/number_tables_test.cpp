@@ -1,7 +1,7 @@
 // Which loops share a table, and that every iteration finds its numbers there.
+#include "engine/emit/print/loop_indices.h"
 #include "engine/emit/print/number_tables.h"
-#include "engine/emit/print/records.h"
-#include "engine/plan/reroll/nest.h"
+#include "engine/plan/reroll/loop_program.h"
 
 #include <gtest/gtest.h>
 #include <random>

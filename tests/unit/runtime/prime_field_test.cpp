@@ -1,4 +1,3 @@
-#include "engine/optimise/algebra/prime_field.h"
 #include "engine/optimise/algebra/value.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "engine/plan/reroll/side_by_side.h"
+#include "engine/plan/reroll/loop_program.h"
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,6 @@
 
 using namespace symreal;
 using trace::Shadow;
-using trace::State;
 namespace mark = trace::mark;
 
 // Links the allocation functions that a recording is told by; a sanitizer brings its own.
@@ -24,13 +23,13 @@ namespace {
 // A recording without a graph: plain numbers only.
 class Kernel {
 public:
-  Kernel() { State::current().begin(__builtin_frame_address(0)); }
+  Kernel() { trace::State::current().begin(__builtin_frame_address(0)); }
   ~Kernel() {
-    if (detail::recording) (void)State::current().end();
+    if (detail::recording) (void)trace::State::current().end();
   }
   std::map<std::string, std::vector<double>> frozen() {
     std::map<std::string, std::vector<double>> values;
-    for (Frozen const &one : State::current().end()) values[one.name] = one.values;
+    for (Frozen const &one : trace::State::current().end()) values[one.name] = one.values;
     return values;
   }
 };

@@ -1,13 +1,16 @@
 #include "runtime/trace/leaks/trap.h"
 
-#include "runtime/trace/leaks/leak.h"
-#include "runtime/trace/leaks/x86_64/masked_step.h"
-#include "runtime/trace/leaks/x86_64/x87.h"
+#include "runtime/trace/describe/describe.h"
+#include "runtime/trace/leaks/x86_64/saved_state.h"
+#include "runtime/trace/nodes/pool.h"
 #include "runtime/trace/report/events.h"
 
+#include <bit>
 #include <cerrno>
 #include <cfenv>
+#include <cmath>
 #include <csignal>
+#include <dlfcn.h>
 #include <mutex>
 #include <xmmintrin.h>
 
@@ -19,6 +22,58 @@ namespace symreal::trace {
 using namespace x86_64;
 
 namespace {
+
+// " in libx.so", where an instruction does not belong to the program itself.
+std::string in_library(std::uintptr_t instruction) {
+  Dl_info file{}, own{};
+  bool const known = dladdr(reinterpret_cast<void *>(instruction), &file) != 0 &&
+                     dladdr(reinterpret_cast<void *>(&in_library), &own) != 0;
+  if (!known || file.dli_fbase == own.dli_fbase) return "";
+  std::string const path = file.dli_fname;
+  return " in " + path.substr(path.rfind('/') + 1);
+}
+
+// Symbolic values among the operands of an instruction of code that was not rewritten.
+class Leak {
+public:
+  // Whether these bits are a node of this recording.
+  bool meet(std::uint64_t bits) {
+    is_torn_ |= Pool::is_torn(RealNumber::from_bits(bits));
+    if (!Pool::is_tagged(bits)) return false;
+    RealNumber const node = Pool::underlying(bits);
+    if (!Pool::current().owns(node)) {
+      is_stale_ = true;
+      return false;
+    }
+    std::string const text = describe(node);
+    if (values_.find(text) == values_.npos) values_ += (values_.empty() ? "" : " and ") + text;
+    return true;
+  }
+  bool is_any() const { return is_torn_ || is_stale_ || !values_.empty(); }
+  // If there are any. The place is where the program stands; `delayed`: as in interrupted_stack.
+  void report(std::uintptr_t instruction, std::uintptr_t delayed = 0) const {
+    if (!is_any()) return;
+    std::string const computes = "code that was not rewritten" + in_library(instruction) + " computes with ";
+    if (values_.empty() && is_torn_)
+      report_interrupted(DiagnosticId::torn_number, computes + "a number of which a part was overwritten", delayed);
+    else if (values_.empty())
+      report_interrupted(DiagnosticId::stale_value, computes + "a value of another kernel or thread", delayed);
+    else
+      report_interrupted(DiagnosticId::leak, computes + values_, delayed);
+  }
+
+  // The bits of the carried value of a node that was met.
+  static std::uint64_t value(std::uint64_t bits) {
+    double const value = Pool::current().final_value(Pool::underlying(bits));
+    // A missing sign bit means fabs or a negation; fabs comes before comparisons, which decide the path.
+    return std::bit_cast<std::uint64_t>(bits >> 63 != 0 ? value : std::fabs(value));
+  }
+
+private:
+  std::string values_;
+  bool is_stale_ = false; // a node of another recording
+  bool is_torn_ = false;  // a node with overwritten bytes
+};
 
 constinit thread_local bool is_enabled = false;
 constinit thread_local bool program_unmasked = false; // it wanted SIGFPE before the kernel began
