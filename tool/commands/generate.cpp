@@ -104,7 +104,7 @@ void require_outputs(Options const &options) {
   require_writable(paths);
 }
 
-// What is generated of a kernel.
+// Files and report of one kernel.
 struct Product {
   Optimised optimised = {};
   std::vector<OutputFile> files = {};

@@ -20,7 +20,7 @@ function summarySection(report) {
   const kernel = report.kernel;
   const rows = [["input", kernel.inputs], ["parameter", kernel.parameters], ["output", kernel.outputs]].flatMap(
     ([role, objects]) => objects.map(object => [make("code", {}, object.label), role, object.count]));
-  const most = 12, list = table("What goes in and comes out", ["Object", "Role", "Numbers"], rows);
+  const most = 12, list = table("Inputs and outputs", ["Object", "Role", "Numbers"], rows);
   return [
     make("dl", {class: "tiles"}, tiles(report)),
     rows.length > most ? make("details", {}, make("summary", {}, plural(rows.length, "object")), list) : list,
