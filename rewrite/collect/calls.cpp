@@ -195,7 +195,7 @@ void Collector::call(CallExpr const *call) {
 void Collector::construction(CXXConstructExpr const *construction) {
   if (construction->getLocation().isInvalid()) return;
   CXXConstructorDecl const *constructor = construction->getConstructor();
-  if (constructor->isCopyOrMoveConstructor()) return;
+  if (constructor->isCopyOrMoveConstructor()) return constant_object(construction->getArg(0));
   if (construction->getParenOrBraceRange().isInvalid()) converting_construction(construction);
   kept_callable(construction);
   std::vector<Expr const *> const all(construction->arg_begin(), construction->arg_end());
@@ -218,6 +218,7 @@ void Collector::arguments(SourceLocation call, FunctionDecl const *function, Arg
   auto const count = static_cast<unsigned>(arguments.size());
   bool const math = reals_.is_math(function);
   bool const outside = !reals_.in_roots(function) && !runtime_overloads(function, map_.sources());
+  if (!math) constant_arguments(function, arguments, outside);
   for (unsigned i = 0; i < count; ++i) {
     if (math || arguments[i]->isTypeDependent()) continue;
     if (is_plain_double(arguments[i])) literal_argument(function, i, arguments[i], overloaded, count);

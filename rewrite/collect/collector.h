@@ -36,6 +36,7 @@ public:
   // Types (types.cpp).
   void builtin_type(clang::BuiltinTypeLoc type, Passive passive);
   void complex_type(clang::ComplexTypeLoc type);
+  void constrained(clang::TemplateParameterList const *parameters);
   // A name outside the roots for a type with double in it: Eigen's Vector3d, double_t.
   void typedef_name(clang::TypedefNameDecl const *declaration, clang::SourceLocation name, bool qualified,
                     bool within_type);
@@ -75,6 +76,14 @@ public:
   void compound_assignment(clang::CompoundAssignOperator const *assignment);
   void choice(clang::ConditionalOperator const *choice);
   void constant_initializer(clang::Expr const *initializer);
+  // Constant objects of doubles where objects of REALs are taken (constants.cpp). `function`: the one being visited.
+  void set_function(clang::FunctionDecl const *const *function) { function_ = function; }
+  void constant_object(clang::Expr const *value);
+  void constant_initializer_of(clang::VarDecl const *variable);
+  void constant_arguments(clang::CallExpr const *dependent);
+  void constant_elements(clang::CXXForRangeStmt const *loop);
+  void constant_result(clang::ReturnStmt const *statement, clang::FunctionDecl const *function);
+  void constant_operand(clang::BinaryOperator const *operation);
   void deduced_variable(clang::VarDecl const *variable);
   void deduced_return(clang::FunctionDecl const *function);
   void deduced_elements(clang::Expr const *initializer);
@@ -193,6 +202,7 @@ private:
                         bool overloaded, unsigned count, Use use = Use::literal);
   void outside_argument(clang::SourceLocation call, clang::FunctionDecl const *function, unsigned index,
                         clang::Expr const *argument);
+  void constant_arguments(clang::FunctionDecl const *function, Arguments arguments, bool outside);
   bool takes_only(clang::FunctionDecl const *function) const;
   bool may_be_truth(clang::Expr const *argument) const;
   void instantiated_arguments(clang::FunctionDecl const *function, Arguments arguments);
@@ -283,6 +293,7 @@ private:
     std::function<void()> handler;
   };
   std::vector<Waiting> waiting_;
+  clang::FunctionDecl const *const *function_ = nullptr;
   // State shared between handlers.
   llvm::SmallPtrSet<clang::Expr const *, 32> judged_;        // names whose use is noted already
   llvm::SmallPtrSet<clang::Expr const *, 8> printed_;        // copies made for printing

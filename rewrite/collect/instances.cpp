@@ -242,6 +242,8 @@ void Collector::erased(Expr const *operand) {
     bare = temporary->getSubExpr()->IgnoreParenImpCasts();
   if (!map_.in_roots(bare->getBeginLoc())) return;
   bool const may_be_plain = bare->isTypeDependent() && !isa<CXXUnresolvedConstructExpr>(bare);
+  // A handler for double takes REALs.
+  if (Reals::is_double(bare->getType()) && reals_.stays_double(bare)) return wrap(bare, Use::literal);
   if (may_be_plain || (bare->getType()->isIntegralOrEnumerationType() && !bare->isEvaluatable(context_)))
     wrap(bare, Use::erased);
 }

@@ -64,6 +64,22 @@ void Collector::builtin_type(BuiltinTypeLoc type, Passive passive) {
     report(DiagnosticId::unaccounted_double, location, "a double spelled as '" + text + "'");
 }
 
+// `requires C<T> double f(T x)`: what replaces the type begins with `::`, which would go on with the name before it.
+void Collector::constrained(TemplateParameterList const *parameters) {
+  Expr const *constraint = parameters->getRequiresClause();
+  if (!constraint) return;
+  std::optional<Span> const last = map_.token(constraint->getEndLoc());
+  if (last && map_.text(*last, constraint->getEndLoc()).find_first_of(")}") != std::string::npos) return;
+  auto const next = Lexer::findNextToken(constraint->getEndLoc(), map_.sources(), map_.language());
+  std::optional<Span> const span = next ? map_.token(next->getLocation()) : std::nullopt;
+  if (!span) return;
+  later([this, span] {
+    auto const type = facts_.types.lower_bound({*span, ""});
+    if (type != facts_.types.end() && type->span == *span && type->replacement == reserved_type_name)
+      facts_.wraps.insert({*span, Use::before, "__attribute__(())"});
+  });
+}
+
 void Collector::complex_type(ComplexTypeLoc type) {
   if (!map_.in_roots(type.getBeginLoc())) return;
   auto const *complex = type.getTypePtr()->getAs<ComplexType>();

@@ -136,8 +136,12 @@ std::vector<Edit> original_edits(Facts const &facts, std::string const &path) {
       rewordings.push_back(
           {span.begin, span.end, (pragma.is_function ? "" : original_region_text(pragma)) + lines, "", true});
     if (pragma.is_function && !pragma.function.empty()) {
-      Span const &brace = pragma.function[0].brace;
-      rewordings.push_back({brace.begin, brace.end, "", " " + original_function_text(pragma)});
+      Span const &entry = pragma.function[0].brace;
+      std::string const own = original_function_text(pragma);
+      if (is_brace(entry))
+        rewordings.push_back({entry.begin, entry.end, "", " " + own});
+      else if (!own.empty())
+        rewordings.push_back({entry.begin, entry.end, "{ " + own + " ", " }"});
     }
   }
   for (auto const &[span, fact] : facts.arithmetic)

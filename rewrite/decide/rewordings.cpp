@@ -365,8 +365,12 @@ void add_pragmas(Facts const &facts, Rewordings &rewordings) {
     if (!pragma.configured)
       here.push_back({span.begin, span.end, (pragma.is_function ? "" : region_text(pragma)) + lines, "", true});
     if (pragma.is_function && !pragma.function.empty()) {
-      Span const &brace = pragma.function[0].brace;
-      here.push_back({brace.begin, brace.end, "", " " + function_text(pragma)});
+      Span const &entry = pragma.function[0].brace;
+      std::string const text = function_text(pragma);
+      if (is_brace(entry))
+        here.push_back({entry.begin, entry.end, "", " " + text});
+      else
+        here.push_back({entry.begin, entry.end, "SYMREAL_TRY_BEGIN " + text + " ", " SYMREAL_TRY_END"});
     }
   }
 }

@@ -207,7 +207,8 @@ public:
     if (!brace) return; // outside the roots, or made by a macro: it cannot be rewritten
     if (!kernel.file.empty() && kernel.file != brace->file) return;
     for (auto &[span, pragma] : facts_.pragmas)
-      if (!pragma.function.empty() && pragma.function[0].brace == *brace && pragma.configured != index)
+      if (!pragma.function.empty() && pragma.function[0].brace == entry_of(function, map_) &&
+          pragma.configured != index)
         return add_to(kernel, function, span, pragma);
     if (facts_.pragmas.count(*brace) != 0) return;
     PragmaFact fact;

@@ -38,6 +38,18 @@ ValueDecl const *look_up(std::string const &name, FunctionDecl const *function) 
   return nullptr;
 }
 
+// The places where a pragma may stand before the definition: parameters of templates and their constraints may hold
+// braces.
+std::vector<SourceLocation> beginnings(FunctionDecl const *function) {
+  std::vector<SourceLocation> all = {function->getBeginLoc()};
+  for (unsigned i = 0; i < function->getNumTemplateParameterLists(); ++i)
+    all.push_back(function->getTemplateParameterList(i)->getTemplateLoc());
+  if (FunctionTemplateDecl const *described = function->getDescribedFunctionTemplate())
+    all.push_back(described->getTemplateParameters()->getTemplateLoc());
+  std::erase_if(all, [](SourceLocation one) { return one.isInvalid(); }); // of `auto` parameters alone
+  return all;
+}
+
 auto names_of(FunctionDecl const *function) {
   return [function](std::string const &name) { return look_up(name, function); };
 }
@@ -80,10 +92,11 @@ public:
     FileID const file = map_.sources().getFileID(start);
     FunctionDecl const *next = nullptr;
     unsigned next_offset = 0;
-    for (FunctionDecl const *function : definitions) {
-      auto const [at, offset] = map_.sources().getDecomposedExpansionLoc(function->getBeginLoc());
-      if (at == file && offset >= span.end && (!next || offset < next_offset)) next = function, next_offset = offset;
-    }
+    for (FunctionDecl const *function : definitions)
+      for (SourceLocation const begin : beginnings(function)) {
+        auto const [at, offset] = map_.sources().getDecomposedExpansionLoc(begin);
+        if (at == file && offset >= span.end && (!next || offset < next_offset)) next = function, next_offset = offset;
+      }
     std::string const text = map_.sources().getBufferData(file).str();
     if (!next || !only_declaration_start(text.substr(span.end, next_offset - span.end))) {
       report(DiagnosticId::pragma_unattached, start, "no function definition follows this pragma");
@@ -99,7 +112,8 @@ public:
     Redefinition &redefined = pragma.function[0].signature.redefinition;
     redefined = redefinition(function, look_up_names(span, function));
     redefined.file = pragma.function[0].brace.file;
-    redefined.body = pragma.function[0].brace.end;
+    redefined.body =
+        map_.sources().getFileOffset(map_.sources().getExpansionLoc(block_of(function)->getBeginLoc())) + 1;
     redefined.is_template = function->isTemplated();
     redefined.baked = baked_values(function, items_of(pragma, function), pragma.place);
     redefined.overlaps = possible_overlaps(function, placed_items(pragma, function));
@@ -150,8 +164,7 @@ private:
   void note_function(PragmaFact &pragma, FunctionDecl const *function) {
     auto const [file, begin] = map_.sources().getDecomposedExpansionLoc(function->getBeginLoc());
     llvm::StringRef const text = map_.sources().getBufferData(file);
-    Stmt const *body = block_of(function);
-    std::optional<Span> const brace = map_.token(body->getBeginLoc());
+    std::optional<Span> const brace = entry_of(function, map_);
     if (!brace) {
       report(DiagnosticId::pragma_unattached, function->getLocation(), "the function's body is made by a macro");
       return;
@@ -320,7 +333,8 @@ private:
       bool const is_list = span && map_.text(*span, value->getBeginLoc()).starts_with('{');
       bool const is_converted = is_list || !function->getASTContext().hasSameUnqualifiedType(
                                                value->IgnoreUnlessSpelledInSource()->getType(), type);
-      bool const is_made_first = is_converted && !as.empty() && !is_integer && (is_list || is_object);
+      bool const is_from_class = value->IgnoreUnlessSpelledInSource()->getType()->isRecordType();
+      bool const is_made_first = is_converted && !as.empty() && !is_integer && (is_list || is_object || is_from_class);
       if (returned && (!span || (is_list && !is_made_first)))
         report(DiagnosticId::pragma_item, statement->getReturnLoc(),
                "output(return) needs `return` with an expression");
@@ -359,6 +373,17 @@ void attach_function_pragmas(std::vector<FunctionDecl const *> const &definition
 void attach_pragma(Span const &span, FunctionDecl const *definition, std::vector<PragmaIndex::Name> const &names,
                    SourceMap const &map, Reals const &reals, ScalarState const &scalars, Facts &facts) {
   Attacher(map, reals, scalars, names, facts).attach_to(span, definition);
+}
+
+std::optional<Span> entry_of(FunctionDecl const *function, SourceMap const &map) {
+  auto const *attempt = dyn_cast_or_null<CXXTryStmt>(function->getBody());
+  // Members live before the block of a constructor, and until after that of a destructor; their handlers throw again.
+  if (!attempt || isa<CXXConstructorDecl, CXXDestructorDecl>(function))
+    return map.token(block_of(function)->getBeginLoc());
+  std::optional<Span> const word = map.token(attempt->getTryLoc());
+  std::optional<Span> const last = map.token(attempt->getEndLoc());
+  if (!word || !last || word->file != last->file) return std::nullopt;
+  return Span{word->file, word->begin, last->end};
 }
 
 Stmt const *block_of(FunctionDecl const *function) {

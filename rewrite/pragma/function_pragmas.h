@@ -17,6 +17,10 @@ void attach_function_pragmas(std::vector<clang::FunctionDecl const *> const &def
 void attach_pragma(Span const &span, clang::FunctionDecl const *definition, std::vector<PragmaIndex::Name> const &names,
                    SourceMap const &map, Reals const &reals, ScalarState const &scalars, Facts &facts);
 
+// The opening brace behind which a kernel's annotations go; the whole of a function-try-block, whose handlers belong to
+// the kernel. None if a macro makes it.
+std::optional<Span> entry_of(clang::FunctionDecl const *function, SourceMap const &map);
+
 // The compound statement of a function's body or function-try-block; null without a body.
 clang::Stmt const *block_of(clang::FunctionDecl const *function);
 

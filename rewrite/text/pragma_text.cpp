@@ -141,6 +141,8 @@ std::string region_text(PragmaFact const &pragma) {
   return trimmed(text);
 }
 
+bool is_brace(Span const &entry) { return entry.end == entry.begin + 1; }
+
 std::string function_text(PragmaFact const &pragma) {
   std::string entry, exit, call;
   for (ClauseFact const &clause : pragma.clauses) {

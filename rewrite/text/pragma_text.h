@@ -29,7 +29,10 @@ std::string layout_arguments(ObjectLayout const &layout);
 // The annotations of a region pragma, on one line.
 std::string region_text(PragmaFact const &pragma);
 
-// Text to insert after the opening brace of a function with a pragma.
+// Whether a function with a pragma is entered at a brace, and not at a function-try-block.
+bool is_brace(Span const &entry);
+
+// Text to insert after that brace, or in a block around the function-try-block.
 std::string function_text(PragmaFact const &pragma);
 
 } // namespace symreal::rewrite

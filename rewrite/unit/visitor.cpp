@@ -27,7 +27,9 @@ public:
         index_(index),
         children_first_(children_first),
         facts_(facts),
-        collect_(context, map, reals, scalars, surroundings, facts) {}
+        collect_(context, map, reals, scalars, surroundings, facts) {
+    collect_.set_function(&function_);
+  }
 
   std::vector<FunctionDecl const *> definitions;
 
@@ -89,6 +91,7 @@ public:
   bool VisitCallExpr(CallExpr *call) override {
     if (passive_ || !map_.in_roots(call->getBeginLoc())) return true;
     collect_.call(call);
+    collect_.constant_arguments(call);
     collect_.c_call(call);
     collect_.c_arguments(call);
     collect_.c_generic_call(call);
@@ -135,9 +138,11 @@ public:
   // Its elements are walked as they were parsed; the conversions and copies that they become stand in the other form.
   bool VisitInitListExpr(InitListExpr *list) override {
     if (map_.in_roots(list->getBeginLoc())) collect_.designators(list);
-    if (passive_ || no_state_) return true;
+    if (passive_) return true;
     InitListExpr const *complete = list->isSemanticForm() ? list : list->getSemanticForm();
     if (!complete || complete->isTypeDependent()) return true;
+    for (Expr const *element : complete->inits()) collect_.constant_object(element);
+    if (no_state_) return true;
     for (Expr const *element : complete->inits()) {
       if (!element) continue;
       if (auto const *cast = dyn_cast<ImplicitCastExpr>(element); cast && cast->getCastKind() == CK_LValueToRValue)
@@ -154,6 +159,7 @@ public:
     return true;
   }
   bool VisitCXXForRangeStmt(CXXForRangeStmt *loop) override {
+    if (!passive_) collect_.constant_elements(loop);
     if (!passive_ && !no_state_) {
       collect_.copied_elements(loop);
       collect_.characters_of(loop);
@@ -189,6 +195,7 @@ public:
     return true;
   }
   bool VisitReturnStmt(ReturnStmt *statement) override {
+    if (!passive_ && function_) collect_.constant_result(statement, function_);
     if (!passive_ && function_ && depends(function_->getReturnType()))
       collect_.dependent_value(statement->getRetValue());
     return true;
@@ -196,6 +203,7 @@ public:
   bool VisitVarDecl(VarDecl *variable) override {
     if (passive_ == constant_variable || passive_ == static_member) collect_.constant_initializer(variable->getInit());
     if (!passive_) collect_.deduced_variable(variable);
+    if (!passive_) collect_.constant_initializer_of(variable);
     if (variable->hasInit() && variable->getType()->getContainedAutoType())
       collect_.c_type_asked(variable->getInit(), /*is_size=*/false);
     if (!passive_) collect_.named_variable(variable);
@@ -204,6 +212,8 @@ public:
   }
   bool VisitNamedDecl(NamedDecl *declaration) override {
     collect_.c_declaration(declaration);
+    if (auto const *described = dyn_cast<TemplateDecl>(declaration))
+      collect_.constrained(described->getTemplateParameters());
     if (auto const *object = dyn_cast<ValueDecl>(declaration)) collect_.keeps_text(object->getType());
     return true;
   }
@@ -225,8 +235,13 @@ public:
     return true;
   }
   bool VisitFunctionDecl(FunctionDecl *function) override {
+    for (unsigned i = 0; i < function->getNumTemplateParameterLists(); ++i)
+      collect_.constrained(function->getTemplateParameterList(i));
     if (!function->doesThisDeclarationHaveABody()) return true;
     definitions.push_back(function);
+    if (auto const *constructor = dyn_cast<CXXConstructorDecl>(function); constructor && !passive_)
+      for (CXXCtorInitializer const *initializer : constructor->inits())
+        if (initializer->isWritten()) collect_.constant_object(initializer->getInit());
     collect_.argument_list(function);
     if (!passive_ && function->getDeclaredReturnType()->getContainedAutoType()) collect_.deduced_return(function);
     return true;
@@ -293,6 +308,7 @@ public:
     collect_.c_widths(binary);
     if (!passive_) collect_.narrow_fields(binary);
     if (!passive_) collect_.named_target(binary);
+    if (!passive_) collect_.constant_operand(binary);
     if (!passive_) collect_.converted_operands(binary, function_ ? function_->getDeclContext() : nullptr);
     if (!passive_ && binary->isComparisonOp()) collect_.comparison(binary);
     if (!passive_ && !no_state_) {

@@ -6,6 +6,7 @@
 #include <symreal/numbers.h>
 
 #include <cstddef>
+#include <exception>
 #include <initializer_list>
 #include <type_traits>
 
@@ -72,9 +73,11 @@ inline constexpr CompiledAs compiled_as = CompiledAs::symbolic;
 template <class T> inline constexpr bool is_number = std::is_same_v<T, RealNumber>;
 using ProgramNumber = RealNumber;
 #endif
-// Type of a returned expression after the conversion of `return`: arithmetic types become the program's number.
-template <class T> using Returned =
-    std::conditional_t<std::is_arithmetic_v<std::decay_t<T>>, ProgramNumber, std::decay_t<T>>;
+// Type of a returned expression after the conversion of `return`: arithmetic types become the program's number, and so
+// do integers and truth values that are symbolic.
+template <class T> inline constexpr bool becomes_number =
+    std::is_arithmetic_v<T> || is_symbolic_int<T> || std::is_same_v<T, SymbolicBool>;
+template <class T> using Returned = std::conditional_t<becomes_number<std::decay_t<T>>, ProgramNumber, std::decay_t<T>>;
 
 // An integer of type T as a number.
 template <class T, class Value> ProgramNumber integer_number(Value const &value) {
@@ -289,17 +292,22 @@ public:
   // Runs the output annotations when the function returns.
   template <class Outputs> class OnReturn {
   public:
-    OnReturn(bool active, Outputs outputs) : active_(active), outputs_(std::move(outputs)) {}
+    OnReturn(bool active, Outputs outputs)
+        : active_(active),
+          exceptions_(std::uncaught_exceptions()),
+          outputs_(std::move(outputs)) {}
     OnReturn(OnReturn const &) = delete;
     OnReturn &operator=(OnReturn const &) = delete;
     ~OnReturn() {
-      if (!active_) return;
+      // An exception that leaves the kernel is its only result.
+      if (!active_ || std::uncaught_exceptions() > exceptions_) return;
       begin_outputs();
       outputs_();
     }
 
   private:
     bool active_;
+    int exceptions_; // that are on their way already
     Outputs outputs_;
   };
   template <class Outputs> OnReturn<Outputs> symreal_on_return(Outputs outputs) {

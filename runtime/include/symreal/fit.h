@@ -39,10 +39,60 @@ template <class To, class From>
     return static_cast<From &&>(value);
 }
 
-// Argument from which a template of the program deduces a type: a double becomes a REAL, other types pass unchanged.
+namespace detail {
+
+// A type with REAL in place of double.
+template <class T> struct Recorded {
+  using Type = T;
+};
+template <> struct Recorded<double> {
+  using Type = RealNumber;
+};
+template <class T> struct Recorded<T const> {
+  using Type = typename Recorded<T>::Type const;
+};
+template <class T> struct Recorded<T *> {
+  using Type = typename Recorded<T>::Type *;
+};
+template <class T, __SIZE_TYPE__ n> struct Recorded<T[n]> {
+  using Type = typename Recorded<T>::Type[n];
+};
+template <class T, __SIZE_TYPE__ n> struct Recorded<T const[n]> {
+  using Type = typename Recorded<T>::Type const[n];
+};
+template <template <class...> class C, class... T> struct Recorded<C<T...>> {
+  using Type = C<typename Recorded<T>::Type...>;
+};
+template <template <class, auto, auto...> class C, class T, auto first, auto... more>
+struct Recorded<C<T, first, more...>> {
+  using Type = C<typename Recorded<T>::Type, first, more...>;
+};
+
+// A constant object of doubles as one of REALs: a double is a REAL that is no node. The assembly keeps the compiler
+// from telling them apart by their types.
+template <class To, class From> [[gnu::always_inline]] constexpr To *recorded_object(From *object) noexcept {
+  static_assert(sizeof(To) == sizeof(From) && alignof(To) == alignof(From));
+  void const *at = object;
+  asm("" : "+r"(at) : : "memory");
+  return static_cast<To *>(const_cast<void *>(at));
+}
+
+} // namespace detail
+
+// Argument from which a template of the program deduces a type: a double becomes a REAL, a constant object of doubles
+// one of REALs, other types pass unchanged.
 template <class From> [[gnu::always_inline]] constexpr decltype(auto) symreal_deduced(From &&value) noexcept {
-  if constexpr (std::is_same_v<std::remove_cvref_t<From>, double>)
+  using Plain = std::remove_cvref_t<From>;
+  using Object = std::remove_reference_t<From>;
+  if constexpr (std::is_same_v<Plain, double>)
     return RealNumber(value);
+  else if constexpr (std::is_same_v<typename detail::Recorded<Plain>::Type, Plain>)
+    return static_cast<From &&>(value);
+  else if constexpr (std::is_pointer_v<Plain>)
+    return detail::recorded_object<std::remove_pointer_t<typename detail::Recorded<Plain>::Type>>(value);
+  else if constexpr (std::is_lvalue_reference_v<From> && std::is_const_v<std::remove_all_extents_t<Object>>)
+    return static_cast<typename detail::Recorded<Plain>::Type const &>(
+        *detail::recorded_object<typename detail::Recorded<Plain>::Type const>(__builtin_addressof(value)));
   else
     return static_cast<From &&>(value);
 }

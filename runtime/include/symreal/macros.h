@@ -91,6 +91,8 @@
 #define SYMREAL_REBIND(...)
 #define SYMREAL_REBIND_END(...)
 #define SYMREAL_FUNCTION(...)
+#define SYMREAL_TRY_BEGIN
+#define SYMREAL_TRY_END
 #define SYMREAL_ARGUMENT(...)
 #define SYMREAL_OUTPUTS_BEGIN
 #define SYMREAL_OUTPUTS_END
@@ -356,6 +358,9 @@ public:                                                                         
 /* The optional last argument is the call to record, counted from 1. */
 #define SYMREAL_FUNCTION(name, file, line, column, ...)                                                                \
   ::symreal::SymrealFunctionKernel symreal_kernel(name, SYMREAL_PLACE(file, line, column), ##__VA_ARGS__);
+/* The block around a function-try-block, in which its handlers return as well. */
+#define SYMREAL_TRY_BEGIN {
+#define SYMREAL_TRY_END }
 /* An argument that is passed by value. */
 #define SYMREAL_ARGUMENT(name, place, ...) symreal_kernel.symreal_argument(name, place, __VA_ARGS__);
 #define SYMREAL_OUTPUTS_BEGIN auto symreal_outputs = symreal_kernel.symreal_on_return([&] {

@@ -1,0 +1,141 @@
+// Objects of doubles that are constant expressions, such as constexpr std::array<double, 2>: they stay as they are, and
+// whoever takes one whole takes an object of REALs.
+#include "rewrite/collect/collector.h"
+#include "rewrite/model/library.h"
+#include "rewrite/source/walk.h"
+
+namespace symreal::rewrite {
+using namespace clang;
+
+namespace {
+
+// Whether the type spells double itself. A class of the program is rewritten within, and is the same for constants.
+bool spells_double(QualType type, int depth = 0) {
+  type = type.getNonReferenceType().getCanonicalType();
+  if (type->isDependentType()) return false;
+  if (auto const *array = type->getAsArrayTypeUnsafe())
+    return Reals::is_double(array->getElementType()) || spells_double(array->getElementType(), depth + 1);
+  if (type->isPointerType())
+    return !type->isFunctionPointerType() && type->getPointeeType().isConstQualified() &&
+           (Reals::is_double(type->getPointeeType()) || spells_double(type->getPointeeType(), depth + 1));
+  auto const *record = dyn_cast_or_null<ClassTemplateSpecializationDecl>(type->getAsCXXRecordDecl());
+  if (!record || Reals::is_passive_template(record)) return false;
+  if (depth == 0 && is_std_class(record, "complex")) return false; // which converts
+  for (TemplateArgument const &argument : record->getTemplateArgs().asArray())
+    if (argument.getKind() == TemplateArgument::Type &&
+        ((Reals::is_double(argument.getAsType()) && !argument.getAsType()->isReferenceType()) ||
+         spells_double(argument.getAsType(), depth + 1)))
+      return true;
+  return false;
+}
+
+Expr const *bare(Expr const *expression) {
+  while (true) {
+    Expr const *inner = expression->IgnoreParenImpCasts();
+    if (auto const *full = dyn_cast<FullExpr>(inner)) inner = full->getSubExpr();
+    if (auto const *temporary = dyn_cast<MaterializeTemporaryExpr>(inner)) inner = temporary->getSubExpr();
+    auto const *copy = dyn_cast<CXXConstructExpr>(inner);
+    bool const is_written = !copy || isa<CXXTemporaryObjectExpr>(copy) || copy->getParenOrBraceRange().isValid();
+    if (!is_written && copy->getConstructor()->isCopyOrMoveConstructor()) inner = copy->getArg(0);
+    if (inner == expression) return inner;
+    expression = inner;
+  }
+}
+
+// Whether the expression is a constant object, a part of one, or a pointer into one.
+bool names_constant(Expr const *expression, Reals const &reals) {
+  expression = bare(expression);
+  auto const is_constant = [&](ValueDecl const *declaration) {
+    auto const *variable = dyn_cast<VarDecl>(declaration);
+    return variable && variable->isConstexpr() && reals.in_roots(variable);
+  };
+  if (auto const *name = dyn_cast<DeclRefExpr>(expression)) return is_constant(name->getDecl());
+  if (auto const *member = dyn_cast<MemberExpr>(expression))
+    return is_constant(member->getMemberDecl()) ||
+           (isa<FieldDecl>(member->getMemberDecl()) && names_constant(member->getBase(), reals));
+  if (auto const *element = dyn_cast<ArraySubscriptExpr>(expression)) return names_constant(element->getBase(), reals);
+  if (auto const *unary = dyn_cast<UnaryOperator>(expression))
+    return (unary->getOpcode() == UO_AddrOf || unary->getOpcode() == UO_Deref) &&
+           names_constant(unary->getSubExpr(), reals);
+  if (auto const *binary = dyn_cast<BinaryOperator>(expression))
+    return binary->isAdditiveOp() && binary->getType()->isPointerType() &&
+           (names_constant(binary->getLHS(), reals) || names_constant(binary->getRHS(), reals));
+  if (auto const *element = dyn_cast<CXXOperatorCallExpr>(expression))
+    return element->getOperator() == OO_Subscript && !element->isTypeDependent() && element->getDirectCallee() &&
+           !reals.in_roots(element->getDirectCallee()) && names_constant(element->getArg(0), reals);
+  auto const *call = dyn_cast<CXXMemberCallExpr>(expression);
+  return call && call->getMethodDecl() && !reals.in_roots(call->getMethodDecl()) &&
+         names_constant(call->getImplicitObjectArgument(), reals);
+}
+
+// A compiler evaluates such a function itself, where the bytes of an object have one type.
+bool is_evaluated(FunctionDecl const *function) {
+  auto const *method = dyn_cast_or_null<CXXMethodDecl>(function);
+  return function && function->isConstexpr() && !(method && method->getParent()->isLambda());
+}
+
+} // namespace
+
+void Collector::constant_object(Expr const *value) {
+  if (!value || !map_.language().CPlusPlus || (function_ && is_evaluated(*function_))) return;
+  Expr const *object = bare(value);
+  if (auto const *choice = dyn_cast<ConditionalOperator>(object)) {
+    constant_object(choice->getTrueExpr());
+    return constant_object(choice->getFalseExpr());
+  }
+  if (auto const *list = dyn_cast<ParenListExpr>(object)) { // in a template
+    for (unsigned i = 0; i < list->getNumExprs(); ++i) constant_object(list->getExpr(i));
+    return;
+  }
+  if (object->getType().isNull() || object->isTypeDependent() || !map_.in_roots(object->getBeginLoc())) return;
+  if (spells_double(object->getType()) && names_constant(object, reals_)) wrap(object, Use::deduced);
+}
+
+void Collector::constant_arguments(FunctionDecl const *function, Arguments arguments, bool outside) {
+  bool const is_deduced = outside && function->getPrimaryTemplate();
+  auto const is_constant = [this](Expr const *one) { return names_constant(one, reals_); };
+  // A library's template takes either; a class of numbers and the operands of an operator must agree.
+  auto const *constructor = dyn_cast<CXXConstructorDecl>(function);
+  bool const is_of_numbers = constructor && reals_.mentions_real(context_.getRecordType(constructor->getParent()));
+  bool const is_mixed = function->isOverloadedOperator() && !llvm::all_of(arguments, is_constant);
+  bool const is_range = arguments.size() > 1 && !llvm::all_of(arguments, is_constant);
+  if (is_deduced && !is_mixed && (!is_of_numbers || is_range)) return;
+  for (std::size_t i = 0; i < arguments.size() && i < function->getNumParams(); ++i) constant_object(arguments[i]);
+}
+
+// A call in a template, of functions of the program alone.
+void Collector::constant_arguments(CallExpr const *dependent) {
+  auto const *names = dyn_cast<OverloadExpr>(dependent->getCallee()->IgnoreParenImpCasts());
+  if (!names || dependent->getDirectCallee() || names->getNumDecls() == 0) return;
+  bool const is_own = llvm::all_of(names->decls(), [this](NamedDecl const *one) { return reals_.in_roots(one); });
+  for (Expr const *argument : dependent->arguments())
+    if (is_own) constant_object(argument);
+}
+
+void Collector::constant_initializer_of(VarDecl const *variable) {
+  Expr const *initializer = variable->getInit();
+  if (!initializer || variable->isConstexpr() || variable->isCXXForRangeDecl()) return;
+  bool const is_deduced = variable->getType()->getContainedAutoType();
+  if (!is_deduced || !variable->getType()->isPointerType()) constant_object(initializer);
+}
+
+void Collector::constant_elements(CXXForRangeStmt const *loop) {
+  VarDecl const *variable = loop->getLoopVariable();
+  if (variable && variable->getType()->getContainedAutoType()) constant_object(loop->getRangeInit());
+}
+
+void Collector::constant_result(ReturnStmt const *statement, FunctionDecl const *function) {
+  QualType const type = function->getDeclaredReturnType();
+  Expr const *value = statement->getRetValue();
+  if (value && !(type->getContainedAutoType() && value->getType()->isPointerType())) constant_object(value);
+}
+
+// p = table, p != table + 3
+void Collector::constant_operand(BinaryOperator const *operation) {
+  Expr const *left = operation->getLHS(), *right = operation->getRHS();
+  if (!left->getType()->isPointerType() || !right->getType()->isPointerType() || operation->isCommaOp()) return;
+  bool const first = names_constant(left, reals_), second = names_constant(right, reals_);
+  if (first != second) constant_object(first ? left : right);
+}
+
+} // namespace symreal::rewrite
