@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <chrono>
 #include <fmt/format.h>
+#include <functional>
 #include <llvm/Support/Program.h>
 #include <map>
 #include <set>
@@ -44,6 +45,10 @@ std::vector<rewrite::Kernel> wanted_kernels(rewrite::Result const &rewritten, Fr
       fail(DiagnosticId::output_collision, kernel.place, "a second kernel has the name '" + kernel.name + "'");
     list += (list.empty() ? "" : ", ") + kernel.name;
   }
+  auto const is_verified = [&](rewrite::Kernel const &kernel) {
+    return std::ranges::find(request.verified, kernel.name) != request.verified.end();
+  };
+  if (std::ranges::any_of(wanted, is_verified)) std::erase_if(wanted, std::not_fn(is_verified));
   if (request.kernel.empty()) return wanted;
   std::erase_if(wanted, [&](rewrite::Kernel const &kernel) { return kernel.name != request.kernel; });
   if (wanted.empty())
@@ -190,7 +195,7 @@ bool build_programs(FrontRequest const &request, Front &front, Talk const &talk)
 }
 
 RunOptions run_of(Front const &front, RunOptions run) {
-  run.run_on |= front.wanted.size() < front.rewritten.kernels.size();
+  run.run_on |= is_by_hand(front.rewritten) && front.wanted.size() < front.rewritten.kernels.size();
   return run;
 }
 

@@ -19,11 +19,12 @@ struct FrontRequest {
   rewrite::Request source; // excluded sources are compiled unchanged
   BuildRequest build;      // compilers and linking; its sources follow from `source`
   RunOptions run;
-  std::string kernel;                   // record only this kernel; empty: all
-  std::vector<std::string> called = {}; // record only these kernels, which a driver program calls; empty: all
-  bool keep = false;                    // keep the workspace
-  bool replay = false;                  // also build the programs for verification
-  bool branches = false;                // with `replay`: also build the program that counts branches
+  std::string kernel;                     // record only this kernel; empty: all
+  std::vector<std::string> called = {};   // record only these kernels, which a driver program calls; empty: all
+  std::vector<std::string> verified = {}; // record only those of these kernels that exist; if none does, all
+  bool keep = false;                      // keep the workspace
+  bool replay = false;                    // also build the programs for verification
+  bool branches = false;                  // with `replay`: also build the program that counts branches
 };
 
 // Callbacks by which a run reports to the user.
@@ -66,8 +67,8 @@ bool record_kernels(FrontRequest const &request, Front &front, Talk const &talk)
 // Checks that machine and program permit recording from instructions. Throws oracle_not_possible.
 void require_instructions(rewrite::Result const &annotated);
 
-// Options for running the front's programs. The order of kernels is unknown before the run, so a single kernel among
-// several requires running to the program's end.
+// Options for running the front's programs. A program that is written with REAL records kernels that are not wanted as
+// well, in an order that is unknown before the run, and so runs to its end.
 RunOptions run_of(Front const &front, RunOptions run);
 
 // Runs all three stages. Nullopt after an error was reported.

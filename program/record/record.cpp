@@ -54,7 +54,9 @@ private:
 };
 
 // Command that makes the program record into the directory.
-Command recording_command(std::string const &executable, RunOptions const &options, std::string const &directory) {
+// `inert`: kernels to leave out, as the request has them.
+Command recording_command(std::string const &executable, RunOptions const &options, std::string const &inert,
+                          std::string const &directory) {
   Command command{.arguments = {executable},
                   .directory = options.directory,
                   .standard_input = options.standard_input,
@@ -69,6 +71,7 @@ Command recording_command(std::string const &executable, RunOptions const &optio
   command.request.set(Entry::fp, options.floating_point);
   command.request.set(Entry::places, options.places ? "1" : "0");
   if (options.from_instructions) command.request.set(Entry::watch, "1");
+  if (!inert.empty()) command.request.set(Entry::inert, inert);
   return command;
 }
 
@@ -87,10 +90,10 @@ double path_time_limit(double first_run, RunOptions const &options) {
 
 // Runs the program along this path of the K-th kernel, where it ends. Leaves `directory` to the next run.
 PathRun run_along(std::string const &path, std::size_t kernel, std::string const &executable, RunOptions const &options,
-                  std::string const &directory) {
+                  std::string const &inert, std::string const &directory) {
   std::string const graph = directory + "/" + std::to_string(kernel) + ".graph", taken = directory + "/taken";
   for (std::string const &old : {graph, taken, directory + "/events"}) std::filesystem::remove(old);
-  Command program = recording_command(executable, options, directory);
+  Command program = recording_command(executable, options, inert, directory);
   program.request.set(Entry::path, path);
   program.request.set(Entry::kernels, std::to_string(kernel + 1));
   Outcome const end = run(program, [](std::string_view) {}); // discards the output, which belongs to another path
@@ -100,6 +103,28 @@ PathRun run_along(std::string const &path, std::size_t kernel, std::string const
   if (std::filesystem::exists(graph)) result.graph = read_binary_graph(graph);
   if (std::filesystem::exists(taken)) result.taken = read_file(taken);
   return result;
+}
+
+// Names under which a kernel begins: a function's own, or the place of a block's first annotation.
+std::set<std::string> beginnings(std::vector<rewrite::Kernel> const &kernels) {
+  std::set<std::string> names;
+  for (rewrite::Kernel const &kernel : kernels) {
+    if (kernel.is_function)
+      names.insert(kernel.name);
+    else
+      for (rewrite::Annotation const &one : kernel.annotations) names.insert(to_string(one.place));
+  }
+  return names;
+}
+
+// The kernels of the program that are not wanted, which the program runs as plain code.
+std::string inert_kernels(std::vector<rewrite::Kernel> const &all, std::vector<rewrite::Kernel> const &wanted) {
+  if (wanted.empty()) return "";
+  std::set<std::string> const recorded = beginnings(wanted);
+  std::string inert;
+  for (std::string const &name : beginnings(all))
+    if (!recorded.contains(name)) inert += name + "\n";
+  return inert;
 }
 
 bool is_recording_of(RecordedKernel const &recorded, rewrite::Kernel const &kernel) {
@@ -275,7 +300,8 @@ Recording record(std::string const &executable, RunOptions const &options, rewri
   std::string directory = workspace.directory("recording");
   std::optional<ExploreBounds> const bounds = explore_bounds(options.decisions);
   FloatingPoint const mode = parse_floating_point(options.floating_point).value_or(FloatingPoint::finite);
-  Command program = recording_command(executable, options, directory);
+  std::string const inert = inert_kernels(rewritten.kernels, wanted);
+  Command program = recording_command(executable, options, inert, directory);
   if (bounds) program.request.set(Entry::path, path_text(0, {}, false, *bounds, 0));
   if (!options.run_on && !wanted.empty()) program.request.set(Entry::kernels, std::to_string(wanted.size()));
   std::vector<MemoryFile> files; // named as the program will name them
@@ -293,7 +319,7 @@ Recording record(std::string const &executable, RunOptions const &options, rewri
   bool explained = has_error(recording.diagnostics);
   // Runs along a path of a kernel; nullopt after an error.
   auto run_path = [&](std::size_t kernel, std::string const &path, RunOptions const &along) -> std::optional<PathRun> {
-    PathRun one = run_along(path, kernel, executable, along, workspace.directory("path"));
+    PathRun one = run_along(path, kernel, executable, along, inert, workspace.directory("path"));
     add_news(one.events.diagnostics, recording.diagnostics);
     add_news(explain_met(one.events, symbolizer, texts), recording.diagnostics);
     add_news(one.events.frozen, events.frozen);

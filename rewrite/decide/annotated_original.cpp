@@ -172,6 +172,7 @@ Result annotated(Facts const &facts, Result result) {
 Result annotated_original(Result const &result) {
   Result original;
   original.include_dirs = result.include_dirs;
+  original.kernels = result.kernels;
   for (File const &file : result.files) {
     File &annotated = original.files.emplace_back(file);
     annotated.edits = file.annotations;

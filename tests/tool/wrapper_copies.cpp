@@ -1,33 +1,26 @@
 // What no other file can define is replaced in a copy of its own file, in which the body stays: functions of one source, those
-// of a class, of a template. The program that has the copy prints the same, also where a guard fails or a baked value differs.
+// of a class, of a template. They share the copy. The program that has it prints the same, also where a guard fails or a baked
+// value differs.
 // RUN: rm -rf %t && mkdir %t && cd %t
 // RUN: %symreal generate %s -o . --wrapper --prefix=p --decisions=guard 2>&1 | FileCheck %s
 // CHECK: wrapper_copies.cpp:[[#]]:1: remark: the wrapper of 'gain' is a copy of its file, since it is static or in an unnamed namespace, so only its own file can call it: compile ./gain_wrapper.cpp in place of {{.*}}wrapper_copies.cpp [SYM096]
+// CHECK: the wrapper of 'Made' is a copy of its file, since {{.*}}: compile ./gain_wrapper.cpp in place of {{.*}}wrapper_copies.cpp [SYM096]
 // RUN: cd %t && %cxx -Wno-unknown-pragmas %s -o original && ./original > expected
-// DEFINE: %{name} =
-// DEFINE: %{same} = cd %t && %cc -c %{name}.c && %cxx -Wno-unknown-pragmas %{name}_wrapper.cpp %{name}.o -o swapped && ./swapped | diff expected -
-// REDEFINE: %{name} = gain
-// RUN: %{same}
+// RUN: cd %t && %cc -c gain.c scaled.c operator+.c torque.c mixed.c Made.c && %cxx -Wno-unknown-pragmas gain_wrapper.cpp *.o -o swapped && ./swapped | diff expected -
 // RUN: FileCheck %s --check-prefix=COPY < %t/gain_wrapper.cpp
-// COPY: a copy of wrapper_copies.cpp, in which generated code stands before the body of (anonymous namespace)::gain.
+// COPY: a copy of wrapper_copies.cpp, in which generated code stands before the bodies of (anonymous namespace)::gain, {{.*}}::Made. */
 // COPY: if ((long long)(steps) != 2ll)
+// COPY: p_gain_compute(symreal_input
 // COPY: return symreal_output[0];
 // COPY: #line [[#]]
-// RUN: cd %t && %symreal verify %s gain.c --samples=50 --min-samples=5 2>&1 | FileCheck %s --check-prefix=VERIFY
+// RUN: cd %t && %symreal verify %s gain.c operator+.c --samples=50 --min-samples=5 2>&1 | FileCheck %s --check-prefix=VERIFY
+// VERIFY: the wrapper was tried as well
 // VERIFY: the wrapper was tried as well
 
-// An inline method, an operator, a virtual function with an unnamed namespace's type, an instantiation of a template, and a
-// constructor.
-// REDEFINE: %{name} = scaled
-// RUN: %{same}
-// REDEFINE: %{name} = operator+
-// RUN: %{same}
-// REDEFINE: %{name} = torque
-// RUN: %{same}
-// REDEFINE: %{name} = mixed
-// RUN: %{same}
-// REDEFINE: %{name} = Made
-// RUN: %{same}
+// One alone, of a class that inherits, is replaced by itself.
+// RUN: cd %t && %symreal generate %s --kernel=torque -o alone.c --wrapper --prefix=p && FileCheck %s --check-prefix=ALONE < %t/alone_wrapper.cpp
+// ALONE: before the body of (anonymous namespace)::Linear::torque.
+// RUN: cd %t && %cc -c alone.c && %cxx -Wno-unknown-pragmas alone_wrapper.cpp alone.o -o swapped && ./swapped | diff expected -
 #include <cstdio>
 
 namespace {

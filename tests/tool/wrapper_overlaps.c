@@ -14,22 +14,12 @@
    CHECK: kernel apart
    CHECK-NEXT: the wrapper was tried as well
    RUN: cd %t && %{c} %s -lm -o original && ./original > expected
-   DEFINE: %{name} =
-   DEFINE: %{swap} = cd %t && %{c} %{name}.c %{name}_wrapper.c -lm -o swapped && ./swapped | diff expected -
-   REDEFINE: %{name} = pointers
-   RUN: %{swap}
+   RUN: cd %t && %{c} pointers.c results.c members.c rows.c apart.c pointers_wrapper.c -lm -o swapped && ./swapped | diff expected -
    RUN: FileCheck %s --check-prefix=POINTERS < %t/pointers_wrapper.c
    POINTERS: if (symreal_apart(&(x)[(0) + 0], &(x)[(0) + 2] + 1, &(y)[(0) + 0], &(y)[(0) + 2] + 1) != 9223372036854775808ull) symreal_same = 0;
-   REDEFINE: %{name} = results
-   RUN: %{swap}
-   REDEFINE: %{name} = members
-   RUN: %{swap}
-   REDEFINE: %{name} = rows
-   RUN: %{swap}
    Pointers that promise to be apart are not compared, nor are values and variables.
-   REDEFINE: %{name} = apart
-   RUN: %{swap}
-   RUN: not grep "^static.*symreal_apart" %t/apart_wrapper.c
+   RUN: cd %t && %symreal generate %s --kernel apart -o a.c --wrapper && not grep "^static.*symreal_apart" a_wrapper.c
+   RUN: cd %t && %{c} a.c a_wrapper.c -lm -o swapped && ./swapped | diff expected -
    A file of its own has no original to call.
    RUN: cd %t && %symreal generate %s --kernel pointers -o k.c --wrapper -- -DOUTSIDE && %{c} -DOUTSIDE -DCALLER %s k.c k_wrapper.c -lm -o swapped
    RUN: cd %t && not --crash ./swapped 2>&1 | FileCheck %s --check-prefix=REFUSED

@@ -12,16 +12,7 @@
 // CHECK: kernel nested, mode finite
 // CHECK-NEXT: the wrapper was tried as well
 // RUN: cd %t && %{c} %s -o original && ./original > expected
-// DEFINE: %{name} =
-// DEFINE: %{swap} = cd %t && %cc -c %{name}.c && %{c} %{name}_wrapper.cpp %{name}.o -o swapped && ./swapped | diff expected -
-// REDEFINE: %{name} = vectors
-// RUN: %{swap}
-// REDEFINE: %{name} = views
-// RUN: %{swap}
-// REDEFINE: %{name} = step
-// RUN: %{swap}
-// REDEFINE: %{name} = nested
-// RUN: %{swap}
+// RUN: cd %t && %cc -c vectors.c views.c step.c nested.c && %{c} vectors_wrapper.cpp vectors.o views.o step.o nested.o -o swapped && ./swapped | diff expected -
 #include <cstdio>
 #include <span>
 #include <vector>

@@ -4,18 +4,9 @@
 // RUN: cd %t && %symreal generate %s -o ./ --wrapper -- -std=c++20
 // RUN: cd %t && %symreal verify %s stepped.c ended.c until.c summed.c bits.c --samples=30 -- -std=c++20
 // RUN: cd %t && %cxx -std=c++20 -Wno-unknown-pragmas %s -o original && ./original > expected
+// DEFINE: %{objects} = stepped.o ended.o until.o summed.o bits.o
+// RUN: cd %t && %cc -c stepped.c ended.c until.c summed.c bits.c && %cxx -std=c++20 -Wno-unknown-pragmas stepped_wrapper.cpp %{objects} -o swapped && ./swapped | diff expected -
 // DEFINE: %{name} =
-// DEFINE: %{swap} = cd %t && %cc -c %{name}.c && %cxx -std=c++20 -Wno-unknown-pragmas %{name}_wrapper.cpp %{name}.o -o swapped && ./swapped | diff expected -
-// REDEFINE: %{name} = stepped
-// RUN: %{swap}
-// REDEFINE: %{name} = ended
-// RUN: %{swap}
-// REDEFINE: %{name} = until
-// RUN: %{swap}
-// REDEFINE: %{name} = summed
-// RUN: %{swap}
-// REDEFINE: %{name} = bits
-// RUN: %{swap}
 // DEFINE: %{refused} = not %symreal generate %s --kernel %{name} -o %t/refused.c --wrapper -- -std=c++20 -DREFUSED 2>&1 | FileCheck %s --check-prefix
 // REDEFINE: %{name} = wide
 // RUN: %{refused}=WIDE

@@ -1,18 +1,27 @@
-/* Several kernels in one file that need copies of it have one each: the generated functions have the same names.
+/* Kernels of one file that need copies of it share one, and their generated functions have names of their own: one program
+   has both.
    RUN: rm -rf %t && mkdir %t && cd %t
    RUN: %symreal generate %s -o . --wrapper --decisions=guard 2>&1 | FileCheck %s
    CHECK-DAG: the wrapper of 'pair_of' is a copy of its file, {{.*}}: compile ./pair_of_wrapper.c in place of
-   CHECK-DAG: the wrapper of 'larger' is a copy of its file, {{.*}}: compile ./larger_wrapper.c in place of
-   DEFINE: %{name} =
-   DEFINE: %{swap} = cd %t && %cc -std=c99 -Wall -Wextra -pedantic -Werror -Wno-unknown-pragmas %{name}.c %{name}_wrapper.c -lm -o swapped && ./swapped | diff - expected
+   CHECK-DAG: the wrapper of 'larger' is a copy of its file, {{.*}}: compile ./pair_of_wrapper.c in place of
+   RUN: FileCheck %s --check-prefix=COPY < %t/pair_of_wrapper.c
+   COPY: in which generated code stands before the bodies of pair_of, larger.
+   COPY: pair_of_compute(symreal_input
+   COPY: larger_compute(symreal_input
+   RUN: cd %t && not ls larger_wrapper.c
    RUN: cd %t && %cc %s -lm -o original && ./original > expected
-   REDEFINE: %{name} = pair_of
-   RUN: %{swap}
-   REDEFINE: %{name} = larger
-   RUN: %{swap}
+   RUN: cd %t && %cc -std=c99 -Wall -Wextra -pedantic -Werror -Wno-unknown-pragmas pair_of.c larger.c pair_of_wrapper.c -lm -o swapped && ./swapped | diff - expected
    RUN: cd %t && %symreal verify %s pair_of.c larger.c --samples=50 --min-samples=5 2>&1 | FileCheck %s --check-prefix=VERIFY
    VERIFY: the wrapper was tried as well
    VERIFY: the wrapper was tried as well
+
+   A copy that hands over another number is refused for the kernel that it belongs to.
+   RUN: cd %t && sed 's/= [(]p[)].second;/= (p).first;/' pair_of_wrapper.c > w && not diff w pair_of_wrapper.c && mv w pair_of_wrapper.c
+   RUN: cd %t && %symreal verify %s pair_of.c --samples=50 --min-samples=5
+   RUN: cd %t && not %symreal verify %s larger.c --samples=50 --min-samples=5 2>&1 | FileCheck %s --check-prefix=OTHER
+   OTHER: pair_of_wrapper.c:1:1: error: this wrapper was generated for another form of kernel 'larger' [SYM090]
+   RUN: cd %t && %symreal generate %s -o . --wrapper --decisions=guard && sed 's/(larger_compute/(pair_of_compute/' pair_of_wrapper.c > w && mv w pair_of_wrapper.c
+   RUN: cd %t && not %symreal verify %s larger.c --samples=50 --min-samples=5 2>&1 | FileCheck %s --check-prefix=OTHER
 */
 #include <math.h>
 #include <stdio.h>

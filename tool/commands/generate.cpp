@@ -32,6 +32,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -137,9 +138,7 @@ void emit_sources(Wrappers &wrappers, program::Recorded const &recorded, Schedul
   if (options.dumps("optimised")) dump(".graph", [&](std::ostream &out) { write_graph(out, code.plan.graph()); });
   if (options.dumps("plan")) dump(".plan", [&](std::ostream &out) { write_plan(out, code.plan); });
   if (!options.wrapper) return;
-  std::vector<OutputFile> const wrapper =
-      wrappers.add(recorded, product.optimised.graph, options.emitter, fs::path(path).replace_extension(".c"));
-  product.files.insert(product.files.end(), wrapper.begin(), wrapper.end());
+  wrappers.add(recorded, product.optimised.graph, options.emitter, fs::path(path).replace_extension(".c"));
 }
 
 // Emits the files of a kernel, given its schedule.
@@ -191,6 +190,56 @@ bool accept_frozen(std::vector<program::Recorded> const &kernels, Options const 
   return false;
 }
 
+// Options of the kernels, in order. Wrappers of several kernels may be linked into one program, in which each kernel's
+// functions need names of their own.
+std::vector<Options> options_of(std::vector<program::Recorded> const &kernels, Options const &options) {
+  std::vector<Options> all(kernels.size(), options);
+  if (!options.wrapper || kernels.size() == 1) return all;
+  std::set<std::string> taken;
+  for (std::size_t k = 0; k < kernels.size(); ++k) {
+    std::string const &given = options.emitter.prefix;
+    std::string const base = (given.empty() ? "" : given + "_") + identifier(kernels[k].kernel.name);
+    std::string &prefix = all[k].emitter.prefix = base;
+    for (int copy = 2; !taken.insert(prefix).second; ++copy) prefix = base + "_" + std::to_string(copy);
+  }
+  return all;
+}
+
+// The products of a kernel: its own, and with --separate that of its derivatives.
+std::vector<Product> products_of(program::Recorded &recorded, program::Front const &front, Wrappers &wrappers,
+                                 program::RunOptions const &run, Options const &options, Console &console) {
+  auto const start = std::chrono::steady_clock::now();
+  Product product;
+  product.exploration = recorded.exploration;
+  (void)find_states(recorded.graph);
+  std::ostringstream graph;
+  if (!options.graph_file.empty()) write_graph(graph, recorded.graph);
+  if (options.wrapper && !recorded.graph.wishes.empty() && !options.differentiate.separate)
+    fail(DiagnosticId::bad_option, recorded.graph.wishes.front().place, no_derivatives_in_wrapper);
+  if (options.wrapper && recorded.kernel.is_function)
+    program::add_baked_values(front, program::run_of(front, run), recorded);
+  std::size_t const own_outputs = recorded.graph.outputs.size();
+  Graph alone = options.differentiate.separate ? recorded.graph : Graph();
+  recorded.graph = options.differentiate.applied(std::move(recorded.graph),
+                                                 [&](Diagnostic const &warning) { console.report(warning); });
+  bool const several = front.kernels.size() > 1;
+  std::optional<Product> derivatives;
+  if (options.differentiate.separate) {
+    derivatives = derivative_product(wrappers, recorded, own_outputs, options, several, console);
+    alone.wishes.clear();
+    recorded.graph = std::move(alone);
+  }
+  Schedule const schedule = scheduled(product, std::move(recorded.graph), options, console);
+  emit_files(wrappers, recorded, schedule, options, several, product);
+  if (!options.graph_file.empty())
+    product.files.push_back(
+        {place_output(options.graph_file, recorded.kernel.name + ".graph", several), std::move(graph).str()});
+  product.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  std::vector<Product> all = {std::move(product)};
+  if (derivatives) all.push_back(std::move(*derivatives));
+  return all;
+}
+
 // The main job, one line a stage: sources to rewritten text, to programs, to recorded graphs; and each graph to an
 // optimised one, to statements, to files. Nullopt after an error was reported.
 std::optional<std::vector<Product>> generate(program::FrontRequest const &request, Options const &options,
@@ -201,42 +250,29 @@ std::optional<std::vector<Product>> generate(program::FrontRequest const &reques
   if (!accept_frozen(front.kernels, options, talk, console)) return {};
   talk.stage("optimising");
   std::vector<Product> products;
+  std::vector<std::size_t> own; // of each kernel, its product's number
   Wrappers wrappers(front);
-  for (program::Recorded &recorded : front.kernels) {
-    auto const start = std::chrono::steady_clock::now();
-    Product product;
-    product.exploration = recorded.exploration;
-    (void)find_states(recorded.graph);
-    std::ostringstream graph;
-    if (!options.graph_file.empty()) write_graph(graph, recorded.graph);
-    if (options.wrapper && !recorded.graph.wishes.empty() && !options.differentiate.separate)
-      fail(DiagnosticId::bad_option, recorded.graph.wishes.front().place, no_derivatives_in_wrapper);
-    if (options.wrapper && recorded.kernel.is_function)
-      program::add_baked_values(front, program::run_of(front, request.run), recorded);
-    std::size_t const own_outputs = recorded.graph.outputs.size();
-    Graph alone = options.differentiate.separate ? recorded.graph : Graph();
-    recorded.graph = options.differentiate.applied(std::move(recorded.graph),
-                                                   [&](Diagnostic const &warning) { console.report(warning); });
-    bool const several = front.kernels.size() > 1;
-    std::optional<Product> derivatives;
-    if (options.differentiate.separate) {
-      derivatives = derivative_product(wrappers, recorded, own_outputs, options, several, console);
-      alone.wishes.clear();
-      recorded.graph = std::move(alone);
+  std::vector<Options> const options_each = options_of(front.kernels, options);
+  std::vector<Diagnostic> told;
+  for (std::size_t k = 0; k < front.kernels.size(); ++k) try {
+      own.push_back(products.size());
+      for (Product &one : products_of(front.kernels[k], front, wrappers, request.run, options_each[k], console))
+        products.push_back(std::move(one));
+    } catch (DiagnosticError const &error) { // the other kernels may have no wrapper either
+      if (error.diagnostic().id != DiagnosticId::no_wrapper) throw;
+      own.pop_back();
+      told.push_back(error.diagnostic());
     }
-    Schedule const schedule = scheduled(product, std::move(recorded.graph), options, console);
-    emit_files(wrappers, recorded, schedule, options, several, product);
-    if (!options.graph_file.empty())
-      product.files.push_back(
-          {place_output(options.graph_file, recorded.kernel.name + ".graph", several), std::move(graph).str()});
-    product.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    products.push_back(std::move(product));
-    if (derivatives) products.push_back(std::move(*derivatives));
+  std::vector<std::vector<OutputFile>> const files = wrappers.files(told);
+  auto const is_refusal = [](Diagnostic const &one) { return one.severity == Severity::error; };
+  if (std::ranges::any_of(told, is_refusal)) {
+    for (Diagnostic const &one : told)
+      if (is_refusal(one)) console.report(one);
+    return {};
   }
-  std::vector<Diagnostic> remarks;
-  std::vector<OutputFile> const copies = wrappers.copies(remarks);
-  products.front().files.insert(products.front().files.end(), copies.begin(), copies.end());
-  products.front().warnings.insert(products.front().warnings.end(), remarks.begin(), remarks.end());
+  for (std::size_t k = 0; k < files.size(); ++k)
+    products[own[k]].files.insert(products[own[k]].files.end(), files[k].begin(), files[k].end());
+  products.front().warnings.insert(products.front().warnings.end(), told.begin(), told.end());
   return products;
 }
 

@@ -377,18 +377,10 @@ std::string compiler_objection(program::Front const &front, rewrite::Kernel cons
   return at == result.output.npos ? result.output : result.output.substr(at + 7, result.output.find('\n', at) - at - 7);
 }
 
-void require_compiles(program::Front const &front, rewrite::Kernel const &kernel, std::string const &source,
-                      std::vector<OutputFile> const &files, OutputFile const *main) {
-  std::string const objection = compiler_objection(front, kernel, source, files, main);
-  if (!objection.empty())
-    fail(DiagnosticId::no_wrapper, kernel.place,
-         fmt::format("the wrapper of '{}' does not compile: {}", kernel.name, objection));
-}
-
 } // namespace
 
-std::vector<OutputFile> Wrappers::add(program::Recorded const &recorded, Graph const &graph,
-                                      EmitterOptions const &options, std::string const &generated) {
+void Wrappers::add(program::Recorded const &recorded, Graph const &graph, EmitterOptions const &options,
+                   std::string const &generated) {
   rewrite::Kernel const &kernel = recorded.kernel;
   require_sense(kernel);
   if (!graph.guards.empty() && !recorded.scratch.empty())
@@ -403,79 +395,180 @@ std::vector<OutputFile> Wrappers::add(program::Recorded const &recorded, Graph c
   std::string why = function.obstacle;
   if (why.empty() && !function.missing.empty())
     why = fmt::format("only {} has {}", kernel.source, fmt::join(function.missing, ", "));
+  std::vector<OutputFile> own;
   if (why.empty()) {
     std::string const suffix = fs::path(kernel.source).extension() == ".c" ? ".c" : ".cpp";
-    std::vector<OutputFile> const files = {{wrapper.string() + suffix, own_file(recorded, graph, prefix, directory)}};
-    why = compiler_objection(front_, kernel, function.file, files, &files.front());
-    if (why.empty()) return files;
-    why = "a file of its own does not compile: " + why;
+    own = {{wrapper.string() + suffix, own_file(recorded, graph, prefix, directory)}};
+    why = compiler_objection(front_, kernel, function.file, own, &own.front());
+    if (!why.empty()) why = "a file of its own does not compile: " + why;
   }
   std::vector<std::string> blocks = preamble(recorded, graph, prefix);
   blocks.insert(blocks.begin(), c_declarations(graph, prefix));
-  inserted_.push_back({kernel, wrapper.string(), why, program::compares_classes(recorded), std::move(blocks),
+  replaced_.push_back({kernel, wrapper.string(), std::move(own), why, copied_with(front_, function.file),
+                       program::compares_classes(recorded), std::move(blocks),
                        try_statements(recorded, graph, prefix)});
-  return {};
 }
 
-// Makes the copies for one function: the generated code of all kernels of a run uses the same names.
-std::vector<OutputFile> Wrappers::copies_for(Inserted const &inserted, std::vector<Diagnostic> &remarks) const {
-  rewrite::Redefinition const &function = inserted.kernel.signature.redefinition;
-  std::set<std::string> const copied = copied_with(front_, function.file);
-  fs::path const root = root_of(front_, copied), wrapper = inserted.wrapper;
-  bool const is_one_source = copied.size() == 1 && is_source(front_, *copied.begin());
+// Files to copy for the functions of the group.
+std::set<std::string> Wrappers::copied_for(Group const &group) const {
+  std::set<std::string> all;
+  for (std::size_t const k : group) all.insert(replaced_[k].copied.begin(), replaced_[k].copied.end());
+  return all;
+}
+
+// The functions that are replaced in copies, by the files that these have in common.
+std::vector<Wrappers::Group> Wrappers::groups() const {
+  std::vector<Group> all;
+  auto const is_grouped = [&](std::size_t k) {
+    return std::ranges::any_of(all, [&](Group const &group) { return std::ranges::find(group, k) != group.end(); });
+  };
+  auto const join = [&](std::size_t k) { // with all groups that have a file of it
+    std::set<std::string> const files = copied_for({k});
+    Group joined = {k};
+    std::erase_if(all, [&](Group const &group) {
+      std::set<std::string> const others = copied_for(group);
+      if (std::ranges::none_of(files, [&](std::string const &file) { return others.contains(file); })) return false;
+      joined.insert(joined.end(), group.begin(), group.end());
+      return true;
+    });
+    std::ranges::sort(joined);
+    all.push_back(joined);
+  };
+  for (std::size_t k = 0; k < replaced_.size(); ++k)
+    if (!replaced_[k].why.empty()) join(k);
+  for (bool grows = true; grows;) {
+    grows = false;
+    std::set<std::string> copied;
+    for (Group const &group : all) copied.merge(copied_for(group));
+    for (std::size_t k = 0; k < replaced_.size(); ++k)
+      if (!is_grouped(k) && copied.contains(replaced_[k].kernel.signature.redefinition.file)) join(k), grows = true;
+  }
+  std::ranges::sort(all);
+  return all;
+}
+
+// Blocks before the text of a copy. Functions of several copies in one translation unit may need the same ones.
+std::string Wrappers::top_of(Group const &here) const {
+  bool const in_header = std::ranges::any_of(
+      replaced_, [&](Replaced const &one) { return !is_source(front_, one.kernel.signature.redefinition.file); });
+  std::vector<std::string> known; // of the run
+  for (Replaced const &one : replaced_)
+    for (std::string const &block : one.blocks)
+      if (std::ranges::find(known, block) == known.end()) known.push_back(block);
+  std::string top;
+  std::vector<std::string> blocks;
+  for (std::size_t const k : here) {
+    if (replaced_[k].with_classes && top.empty()) top = "#include <typeinfo>\n";
+    for (std::string const &block : replaced_[k].blocks)
+      if (std::ranges::find(blocks, block) == blocks.end()) blocks.push_back(block);
+  }
+  for (std::string const &block : blocks)
+    top += !in_header || replaced_.size() == 1
+               ? block
+               : fmt::format("#ifndef SYMREAL_COPY_BLOCK_{0}\n#define SYMREAL_COPY_BLOCK_{0}\n{1}#endif\n",
+                             std::ranges::find(known, block) - known.begin() + 1, block);
+  // Adds an include guard, as a header may be included repeatedly.
+  if (in_header && replaced_.size() == 1)
+    top = fmt::format("#ifndef SYMREAL_COPY_WITH_{0}\n#define SYMREAL_COPY_WITH_{0}\n{1}#endif\n",
+                      identifier(replaced_[here.front()].kernel.name), top);
+  return top;
+}
+
+std::vector<OutputFile> Wrappers::copies_for(Group const &group, Copies &made) const {
+  std::set<std::string> const copied = copied_for(group);
+  fs::path const root = root_of(front_, copied), wrapper = replaced_[group.front()].wrapper;
+  made.is_one_source = copied.size() == 1 && is_source(front_, *copied.begin());
   std::vector<Copy> copies;
   for (rewrite::File const &one : front_.rewritten.files)
     if (copied.contains(one.path))
-      copies.push_back({&one, is_one_source ? wrapper.string() + fs::path(one.path).extension().string()
-                                            : (wrapper / fs::path(one.path).lexically_relative(root)).string()});
+      copies.push_back({&one, made.is_one_source ? wrapper.string() + fs::path(one.path).extension().string()
+                                                 : (wrapper / fs::path(one.path).lexically_relative(root)).string()});
   std::vector<OutputFile> files;
-  std::string sources;
   for (Copy const &copy : copies) {
     std::string const name = in_quotes(copy.file->display_path), &text = copy.file->original;
-    bool const is_here = function.file == copy.file->path;
-    std::string top, before;
-    if (is_here) {
-      top = inserted.with_classes ? "#include <typeinfo>\n" : "";
-      for (std::string const &block : inserted.blocks) top += block;
-      auto const lines = std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(function.body), '\n');
-      before = with_inclusions(text.substr(0, function.body), copy, copies) + "\n" + inserted.statements +
-               fmt::format("#line {} {}\n", lines + 1, name);
+    Group here;
+    for (std::size_t const k : group)
+      if (replaced_[k].kernel.signature.redefinition.file == copy.file->path) here.push_back(k);
+    auto const body = [&](std::size_t k) { return replaced_[k].kernel.signature.redefinition.body; };
+    std::ranges::sort(here, {}, body);
+    std::string what = "which includes other copies", top, before;
+    if (!here.empty()) top = top_of(here);
+    std::vector<std::string> functions;
+    std::size_t begin = 0;
+    for (std::size_t const k : here) {
+      functions.push_back(replaced_[k].kernel.signature.redefinition.qualified);
+      auto const lines = std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(body(k)), '\n');
+      before += with_inclusions(text.substr(begin, body(k) - begin), copy, copies) + "\n" + replaced_[k].statements +
+                fmt::format("#line {} {}\n", lines + 1, name);
+      begin = body(k);
     }
-    // Adds an include guard, as a header may be included repeatedly.
-    if (is_here && !is_source(front_, copy.file->path))
-      top = fmt::format("#ifndef SYMREAL_COPY_WITH_{0}\n#define SYMREAL_COPY_WITH_{0}\n{1}#endif\n",
-                        identifier(inserted.kernel.name), top);
-    std::string const what = is_here ? "in which generated code stands before the body of " + function.qualified
-                                     : "which includes other copies";
+    if (!here.empty())
+      what = fmt::format("in which generated code stands before the {} of {}", here.size() == 1 ? "body" : "bodies",
+                         fmt::join(functions, ", "));
     files.push_back({copy.path, fmt::format("/* Generated by Symreal: a copy of {}, {}. */\n{}#line 1 {}\n",
                                             fs::path(copy.file->path).filename().string(), what, top, name) +
-                                    before + with_inclusions(text.substr(is_here ? function.body : 0), copy, copies)});
-    if (is_source(front_, copy.file->path)) sources += (sources.empty() ? "" : ", ") + copy.file->display_path;
+                                    before + with_inclusions(text.substr(begin), copy, copies)});
+    if (is_source(front_, copy.file->path)) {
+      made.sources += (made.sources.empty() ? "" : ", ") + copy.file->display_path;
+      made.compiled.emplace_back(files.size() - 1, copy.file->path);
+    }
   }
-  rewrite::Kernel const &kernel = inserted.kernel;
-  for (std::size_t k = 0; k < files.size(); ++k)
-    if (is_source(front_, copies[k].file->path))
-      require_compiles(front_, kernel, copies[k].file->path, files, &files[k]);
-  if (sources.empty())
-    require_compiles(front_, kernel, rewrite::real_source(front_.build.sources.front()), files, nullptr);
-  std::string const way = is_one_source ? fmt::format("compile {} in place of {}", files.front().path, sources)
-                          : sources.empty()
-                              ? fmt::format("search {} before other directories", wrapper.string())
-                              : fmt::format("compile the copies in {} in place of {}", wrapper.string(), sources);
-  remarks.push_back(
-      {DiagnosticId::wrapper_needs_source,
-       kernel.place,
-       fmt::format("the wrapper of '{}' is a copy of its file, since {}: {}", kernel.name, inserted.why, way),
-       {},
-       Severity::remark});
   return files;
 }
 
-std::vector<OutputFile> Wrappers::copies(std::vector<Diagnostic> &remarks) const {
-  std::vector<OutputFile> all;
-  for (Inserted const &one : inserted_) {
-    std::vector<OutputFile> const files = copies_for(one, remarks);
-    all.insert(all.end(), files.begin(), files.end());
+// First error of the compiler in the group's copies; empty on success.
+std::string Wrappers::objection_to(Group const &group) const {
+  Copies made;
+  std::vector<OutputFile> const files = copies_for(group, made);
+  rewrite::Kernel const &kernel = replaced_[group.front()].kernel;
+  std::string objection;
+  for (auto const &[k, source] : made.compiled)
+    if (objection.empty()) objection = compiler_objection(front_, kernel, source, files, &files[k]);
+  if (made.compiled.empty())
+    objection = compiler_objection(front_, kernel, rewrite::real_source(front_.build.sources.front()), files, nullptr);
+  return objection;
+}
+
+// Tells what to do with the group's copies, or why they are refused.
+void Wrappers::tell(Group const &group, Copies const &made, std::vector<OutputFile> const &files,
+                    std::vector<Diagnostic> &told) const {
+  std::string const objection = objection_to(group);
+  auto const refuse = [&](std::size_t k, std::string const &why) {
+    rewrite::Kernel const &kernel = replaced_[k].kernel;
+    told.push_back({DiagnosticId::no_wrapper, kernel.place,
+                    fmt::format("the wrapper of '{}' does not compile: {}", kernel.name, why)});
+  };
+  std::size_t const told_before = told.size();
+  if (!objection.empty() && group.size() > 1)
+    for (std::size_t const k : group)
+      if (std::string const why = objection_to({k}); !why.empty()) refuse(k, why);
+  if (!objection.empty() && told.size() == told_before) refuse(group.front(), objection);
+  if (!objection.empty()) return;
+  std::string const wrapper = replaced_[group.front()].wrapper;
+  std::string const way =
+      made.is_one_source     ? fmt::format("compile {} in place of {}", files.front().path, made.sources)
+      : made.sources.empty() ? fmt::format("search {} before other directories", wrapper)
+                             : fmt::format("compile the copies in {} in place of {}", wrapper, made.sources);
+  auto const needing = std::ranges::find_if(group, [&](std::size_t k) { return !replaced_[k].why.empty(); });
+  for (std::size_t const k : group) {
+    Replaced const &one = replaced_[k];
+    std::string const why = one.why.empty() ? fmt::format("'{}' needs one", replaced_[*needing].kernel.name) : one.why;
+    told.push_back({DiagnosticId::wrapper_needs_source,
+                    one.kernel.place,
+                    fmt::format("the wrapper of '{}' is a copy of its file, since {}: {}", one.kernel.name, why, way),
+                    {},
+                    Severity::remark});
+  }
+}
+
+std::vector<std::vector<OutputFile>> Wrappers::files(std::vector<Diagnostic> &told) const {
+  std::vector<std::vector<OutputFile>> all;
+  for (Replaced const &one : replaced_) all.push_back(one.own);
+  for (Group const &group : groups()) {
+    for (std::size_t const k : group) all[k].clear();
+    Copies made;
+    all[group.front()] = copies_for(group, made);
+    tell(group, made, all[group.front()], told);
   }
   return all;
 }

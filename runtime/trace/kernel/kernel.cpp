@@ -8,11 +8,13 @@
 
 #include <symreal/original.h>
 
+#include <algorithm>
 #include <cmath>
 #include <csetjmp>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <string_view>
 #include <vector>
 
 namespace symreal::trace {
@@ -32,6 +34,17 @@ void Kernel::begin(MakeSink make_sink, std::string const &name, SourcePlace plac
   sink_->begin(name, place.frame);
 }
 
+// Is the kernel left out of the recording? `name`: under which it would begin.
+static bool is_inert(std::string_view name) {
+  static char const *const inert = wire::requested(wire::Entry::inert);
+  for (std::string_view rest = inert ? inert : ""; !rest.empty();) {
+    std::string_view const line = rest.substr(0, rest.find('\n'));
+    if (line == name) return true;
+    rest.remove_prefix(std::min(line.size() + 1, rest.size()));
+  }
+  return false;
+}
+
 bool Kernel::begin_object(MakeSink make_sink, Kind kind, char const *label, SourcePlace place) {
   annotate(label, place);
   if (muted_ || inert_region_ || phase_ == Phase::inside) return false;
@@ -42,7 +55,7 @@ bool Kernel::begin_object(MakeSink make_sink, Kind kind, char const *label, Sour
               "the program reaches output '" + std::string(label) + "' before any input of its kernel"});
       give_up();
     }
-    if (recorded_.contains(where(place))) {
+    if (recorded_.contains(where(place)) || is_inert(to_string(at))) {
       inert_region_ = true;
       return false;
     }
@@ -79,8 +92,8 @@ static unsigned later_call() {
 
 bool Kernel::begin_function(MakeSink make_sink, char const *name, SourcePlace place, unsigned call) {
   muted_ = true;
-  if (phase_ != Phase::none || recorded_.contains(where(place)) || ++calls_[where(place)] != call + later_call())
-    return false;
+  if (phase_ != Phase::none || recorded_.contains(where(place)) || is_inert(name)) return false;
+  if (++calls_[where(place)] != call + later_call()) return false;
   muted_ = false;
   begin(make_sink, name, place);
   phase_ = Phase::entering;

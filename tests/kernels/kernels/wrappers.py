@@ -3,7 +3,10 @@ call, also where what is baked in is another value than the recorded one, and wh
 
    batch.c, calls.inc ─▶ original                            ─▶ lines ─┐
    wrapper (+ original under another name), kernel.c, calls  ─▶ lines ─┴ compared
+
+A wrapper that is a copy of the batch has all kernels that share it.
 """
+import glob
 import os
 import re
 
@@ -48,39 +51,54 @@ class WrapperSession(Session):
             self.verify_all(accepted, outcome)
         return outcome
 
+    def prefix(self, kernel):
+        """The begin of the names of generated functions, which have the kernel's name where the batch has several."""
+        prefix = self.banner(kernel).get("prefix")
+        return prefix + "_" if prefix else ""
+
+    def wrapper(self, kernel):
+        """Path and text of the kernel's wrapper: its own, or a copy that several kernels share; None if it has none."""
+        for path in sorted(glob.glob(os.path.join(self.directory, "out", f"*_wrapper{SUFFIX[self.language]}"))):
+            with open(path) as file:
+                text = file.read()
+            if re.search(rf"\b{self.prefix(kernel)}compute\(double const", text):
+                return os.path.relpath(path, self.directory), text
+        return None
+
     def swap(self, kernel):
         """The program with the wrapper in place of the kernel; a message where something does not compile."""
-        wrapper = f"out/{kernel.name}_wrapper{SUFFIX[self.language]}"
-        with open(os.path.join(self.directory, wrapper)) as file:
-            text = file.read()
-        done = self.run("gcc", *GENERATED, "-c", f"out/{kernel.name}.c", "-o", "kernel.o")
-        if done.returncode != 0:
-            return done.stderr[:3000]
+        wrapper, text = self.wrapper(kernel)
+        compute, is_copy = self.prefix(kernel) + "compute", "KERNEL_CALLS" in text
+        called = [k for k in self.called if k is kernel or is_copy and self.wrapper(k)[0] == wrapper]
+        objects = ["count.o", "harness.o"]
+        for one in called:
+            done = self.run("gcc", *GENERATED, "-c", f"out/{one.name}.c", "-o", f"{one.name}_generated.o")
+            objects.append(f"{one.name}_generated.o")
+            if done.returncode != 0:
+                return done.stderr[:3000]
         with open(os.path.join(self.directory, "count.c"), "w") as file:
-            file.write("extern int computed;\nint __real_compute(double const *, double const *, double *);\n"
-                       "int __wrap_compute(double const *in, double const *constants, double *out) {\n"
-                       f"  int guard = __real_compute(in, constants, out);\n  computed += {'guard == 0' if self.guards(kernel) else '1'};\n"
+            file.write(f"extern int computed;\nint __real_{compute}(double const *, double const *, double *);\n"
+                       f"int __wrap_{compute}(double const *in, double const *constants, double *out) {{\n"
+                       f"  int guard = __real_{compute}(in, constants, out);\n  computed += {'guard == 0' if self.guards(kernel) else '1'};\n"
                        "  return guard;\n}\n")
         self.run("gcc", "-O1", "-c", "count.c", "-o", "count.o")
-        objects = ["kernel.o", "count.o", "harness.o"]
-        if "KERNEL_CALLS" in text:  # a copy of the source
+        if is_copy:
             message = self.compile(CALLS, "-I", "out", "-c", wrapper, "-o", "wrapper.o")
             objects += ["wrapper.o"]
         else:
             message = self.compile("-I", "out", "-c", wrapper, "-o", "wrapper.o") or \
-                self.compile(f"-D{kernel.name}=fallback", "-Dmain=another_main", "-c", os.path.basename(self.path), "-o", "fallback.o")
+                self.compile(f"-D{kernel.name}={self.prefix(kernel)}fallback", "-Dmain=another_main", "-c", os.path.basename(self.path), "-o", "fallback.o")
             self.run("objcopy", "--weaken", "fallback.o")
             objects += ["wrapper.o", "weak.o", "fallback.o"]
         # A reference of the weakened objects to a library is weak as well.
-        return message or self.compile(*objects, "-Wl,--wrap=compute", "-Wl,--no-as-needed", "-lm", "-o", "swapped")
+        return message or self.compile(*objects, f"-Wl,--wrap={compute}", "-Wl,--no-as-needed", "-lm", "-o", "swapped")
 
     def guards(self, kernel):
         return bool(self.banner(kernel).get("guards"))
 
     def stops(self, kernel):
         """Another value that is baked in ends the program, which has not got the original to call."""
-        with open(os.path.join(self.directory, f"out/{kernel.name}_wrapper{SUFFIX[self.language]}")) as file:
-            text = file.read()
+        text = self.wrapper(kernel)[1]
         return "KERNEL_CALLS" not in text and "fallback" not in text
 
     def judge(self, kernel, seed, outcome):
@@ -127,5 +145,4 @@ class WrapperSession(Session):
 
     def generate(self, kernels, outcome):
         accepted = super().generate(kernels, outcome)
-        return [k for k in accepted if os.path.exists(os.path.join(self.directory, f"out/{k.name}_wrapper{SUFFIX[self.language]}"))
-                or outcome.found.append(Found(k, "no wrapper", "", self.directory))]
+        return [k for k in accepted if self.wrapper(k) or outcome.found.append(Found(k, "no wrapper", "", self.directory))]
