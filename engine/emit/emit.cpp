@@ -75,7 +75,7 @@ bool has_word(std::string_view text, std::string_view word) {
 // Patterns of the language that have been used.
 std::string printed_patterns(Emission const &emission) {
   Language const &language = emission.language;
-  Uses const &uses = emission.uses;
+  UsedFeatures const &uses = emission.uses;
   std::string text;
   auto const add = [&](bool is_used, std::string_view pattern) {
     if (is_used) text.append(pattern) += '\n';

@@ -16,7 +16,7 @@ namespace symreal {
 
 namespace {
 
-using reroll::Access, reroll::Leaf, reroll::LoopFunction, reroll::Step;
+using reroll::Access, reroll::Leaf, reroll::LoopFunction, reroll::LoopStep;
 
 // Operations of all iterations that the reader examines: more are refused, as examining them would take minutes.
 constexpr std::uint64_t most_examined = 100'000'000;
@@ -107,7 +107,7 @@ public:
   StepCheck(ArraySizes const &sizes, std::size_t memory) : sizes_(sizes), memory_(memory), results_(sizes.results) {}
 
   // The first thing that is wrong with a step; empty if it is sound.
-  std::string find_fault(Step const &step) {
+  std::string find_fault(LoopStep const &step) {
     std::size_t const carried =
         static_cast<std::size_t>(std::ranges::count(step.leaves, Leaf::Kind::carried, &Leaf::kind));
     Graph const &body = step.body;
@@ -156,7 +156,7 @@ private:
     return last > 0 && last <= count && reroll::begin_of(nest, nest.turns) == count;
   }
 
-  std::string iteration(Step const &step, std::uint32_t k) {
+  std::string iteration(LoopStep const &step, std::uint32_t k) {
     for (Leaf const &leaf : step.leaves) {
       if (leaf.kind == Leaf::Kind::values || (leaf.kind == Leaf::Kind::carried && k != 0)) continue;
       std::size_t const element = leaf.access.at(k);
@@ -355,7 +355,7 @@ private:
       if (line == "end") break;
       text.append(line) += '\n';
     }
-    Step &step = function_->steps.back();
+    LoopStep &step = function_->steps.back();
     step.body = read_graph(text, file_name_);
     NodeNames const names(step.body);
     for (auto const &[leaf, next] : carried_) {
@@ -365,7 +365,7 @@ private:
   }
 
   void read_store(Line &line) {
-    Step &step = function_->steps.back();
+    LoopStep &step = function_->steps.back();
     if (!has_body_ || step.stores.size() >= step.body.results.size()) line.error("the body has no such result");
     bool const is_result = line.accept("output");
     if (!is_result && !line.accept("memory")) line.error("a step stores to 'memory' or to 'output'");

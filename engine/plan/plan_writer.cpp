@@ -14,7 +14,7 @@ namespace symreal {
 
 namespace {
 
-using reroll::Access, reroll::Leaf, reroll::LoopFunction, reroll::Step;
+using reroll::Access, reroll::Leaf, reroll::LoopFunction, reroll::LoopStep;
 
 class PlanWriter {
 public:
@@ -46,13 +46,13 @@ private:
   void write_loops(char const *name, LoopFunction const &function) {
     fmt::print(out_, "loops {} {} {} {}\nmemory {}\n", name, function.operations, function.in_loops, function.loops,
                function.memory);
-    for (Step const &step : function.steps) write_step(step);
+    for (LoopStep const &step : function.steps) write_step(step);
     for (reroll::Mirror const &mirror : function.mirrors)
       fmt::print(out_, "mirror {} {} from {}\n", mirror.first, mirror.rows, mirror.from_above ? "above" : "below");
     for (std::uint32_t const element : function.checks) fmt::print(out_, "check {}\n", element);
   }
 
-  void write_step(Step const &step) {
+  void write_step(LoopStep const &step) {
     std::vector<NodeId> const number = line_numbers(step.body);
     fmt::print(out_, "step {}\n", step.count);
     if (step.nest) fmt::print(out_, "nest {} {} {}\n", step.nest->turns, step.nest->inner, step.nest->growth);

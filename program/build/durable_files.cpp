@@ -57,7 +57,7 @@ unsigned usual_permissions() {
 
 StagedFiles::~StagedFiles() {
   std::error_code ignored;
-  for (Step const &one : steps_)
+  for (StagedFile const &one : steps_)
     if (!one.is_done) std::filesystem::remove_all(one.temporary, ignored);
   for (auto one = made_.rbegin(); one != made_.rend(); ++one) rmdir(one->c_str());
 }
@@ -92,7 +92,7 @@ std::string StagedFiles::add_directory(std::string const &path) {
 }
 
 // Without hard links on the file system, the replaced file is not kept and cannot be restored.
-void StagedFiles::take_place(Step &step) {
+void StagedFiles::take_place(StagedFile &step) {
   struct stat there{};
   std::string const old = step.temporary + "~";
   if (lstat(step.path.c_str(), &there) == 0 && !S_ISDIR(there.st_mode) &&
@@ -102,7 +102,7 @@ void StagedFiles::take_place(Step &step) {
   step.is_done = true;
 }
 
-void StagedFiles::take_back(Step &step) noexcept {
+void StagedFiles::take_back(StagedFile &step) noexcept {
   std::error_code ignored;
   if (!step.old.empty() && step.is_done)
     std::filesystem::rename(step.old, step.path, ignored);
@@ -115,12 +115,12 @@ void StagedFiles::take_back(Step &step) noexcept {
 void StagedFiles::commit() {
   Uninterrupted const whole;
   try {
-    for (Step &one : steps_) take_place(one);
+    for (StagedFile &one : steps_) take_place(one);
   } catch (...) {
     for (auto one = steps_.rbegin(); one != steps_.rend(); ++one) take_back(*one);
     throw;
   }
-  for (Step const &one : steps_)
+  for (StagedFile const &one : steps_)
     if (!one.old.empty()) unlink(one.old.c_str());
   steps_.clear();
   made_.clear();

@@ -33,16 +33,16 @@ public:
   void commit();
 
 private:
-  struct Step {
+  struct StagedFile {
     std::string temporary, path;
     Doomed doomed;
     std::string old = {}; // hard link to the file that was replaced
     bool is_done = false;
   };
-  static void take_place(Step &step);
-  static void take_back(Step &step) noexcept;
+  static void take_place(StagedFile &step);
+  static void take_back(StagedFile &step) noexcept;
 
-  std::vector<Step> steps_;
+  std::vector<StagedFile> steps_;
   std::vector<std::string> made_; // created directories, outermost first
 };
 

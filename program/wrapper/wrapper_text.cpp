@@ -19,7 +19,7 @@ bool is_walked(rewrite::Kernel const &kernel, rewrite::Annotation const &annotat
 }
 
 // An object or member: an lvalue in the source, and the slot of its first number in the flat array.
-struct Part {
+struct Lvalue {
   std::string element, slot;
   std::vector<std::size_t> extents;
   std::vector<Member> const &members;
@@ -27,7 +27,7 @@ struct Part {
 };
 
 // Loops over a part's numbers, around a statement on an `element` and its `slot`. `depth`: number of enclosing loops.
-template <class Statement> std::string for_elements(Part part, std::vector<rewrite::Section> const &sections,
+template <class Statement> std::string for_elements(Lvalue part, std::vector<rewrite::Section> const &sections,
                                                     Statement const &statement, std::string indent = "  ",
                                                     std::size_t depth = 0) {
   std::string text, at;

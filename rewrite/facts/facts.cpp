@@ -44,8 +44,8 @@ void merge_decision(DecisionFact &decision, DecisionFact &&other) {
   }
 }
 
-template <class Name>
-bool same_names(std::vector<ClassFact::Part<Name>> const &one, std::vector<ClassFact::Part<Name>> const &other) {
+template <class Name> bool same_names(std::vector<ClassFact::Constituent<Name>> const &one,
+                                      std::vector<ClassFact::Constituent<Name>> const &other) {
   return std::equal(one.begin(), one.end(), other.begin(), other.end(),
                     [](auto const &left, auto const &right) { return left.name == right.name; });
 }

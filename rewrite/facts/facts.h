@@ -187,13 +187,13 @@ enum class Consumed { dropped_argument, macro_name };
 // The bases and fields of a class, and which of them hold REAL or an integer: a source with only a forward declaration
 // of the class does not see what a pointer to it owns.
 struct ClassFact {
-  template <class Name> struct Part {
+  template <class Name> struct Constituent {
     Name name;
     bool holds;
   };
-  std::string access;                 // of the members that follow the opening brace
-  std::vector<Part<Span>> bases = {}; // as spelled
-  std::vector<Part<std::string>> fields = {};
+  std::string access;                        // of the members that follow the opening brace
+  std::vector<Constituent<Span>> bases = {}; // as spelled
+  std::vector<Constituent<std::string>> fields = {};
 };
 
 // A function that takes arguments through `...` or another's list, and the destinations of that list.

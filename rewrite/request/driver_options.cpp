@@ -13,11 +13,11 @@ namespace {
 namespace options = clang::driver::options;
 
 // The first row that an option or one of its groups matches counts.
-struct Row {
+struct OptionMeaning {
   unsigned option;
   About about;
 };
-constexpr Row rows[] = {
+constexpr OptionMeaning rows[] = {
     {options::OPT_INPUT, About::input},
     {options::OPT_o, About::output},
     {options::OPT_M, About::question},
@@ -84,7 +84,7 @@ About about(llvm::opt::Arg const &argument, std::string_view word) {
   bool const is_of_clang = option.matches(options::OPT_mllvm);
   for (Beginning const &row : beginnings)
     if (word.starts_with(row.text) && !is_of_clang) return row.about;
-  for (Row const &row : rows)
+  for (OptionMeaning const &row : rows)
     if (option.matches(row.option)) return row.about;
   return About::other;
 }

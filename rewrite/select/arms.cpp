@@ -324,14 +324,14 @@ Arms ArmAnalysis::arms(std::vector<Stmt const *> const &statements, Allowed cons
   return std::move(walker.result);
 }
 
-std::optional<Blocker> ArmAnalysis::body(FunctionDecl const *function, Part part) {
+std::optional<Blocker> ArmAnalysis::body(FunctionDecl const *function, BodyPart part) {
   static Allowed const nothing;
   ArmWalker walker(*this, ArmWalker::Scope::body, nothing, function);
   for (ParmVarDecl const *parameter : function->parameters()) walker.own(parameter);
   if (auto const *constructor = dyn_cast<CXXConstructorDecl>(function))
     for (CXXCtorInitializer const *initializer : constructor->inits()) walker.expression(initializer->getInit());
   auto const *block = dyn_cast<CompoundStmt>(function->getBody());
-  if (part == Part::whole || !block) {
+  if (part == BodyPart::whole || !block) {
     walker.statement(function->getBody(), true);
     return std::move(walker.result.blocker);
   }

@@ -38,8 +38,8 @@ public:
 
   // Whether the body may be executed without visible effects other than the returned value. With `after_returns`, only
   // the part after its first `return` on a condition of REALs counts.
-  enum class Part { whole, after_returns };
-  std::optional<Blocker> body(clang::FunctionDecl const *function, Part part = Part::whole);
+  enum class BodyPart { whole, after_returns };
+  std::optional<Blocker> body(clang::FunctionDecl const *function, BodyPart part = BodyPart::whole);
 
   // Loops on REALs that a pragma bounds.
   std::set<clang::Stmt const *> bounded_loops;

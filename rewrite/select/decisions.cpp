@@ -376,7 +376,7 @@ DecisionCollector::Returns const &DecisionCollector::early_returns() {
   if (returns_) return *returns_;
   returns_.emplace();
   std::vector<Alteration> alterations;
-  returns_->blocker = analysis_.body(function_, ArmAnalysis::Part::after_returns);
+  returns_->blocker = analysis_.body(function_, ArmAnalysis::BodyPart::after_returns);
   if (returns_->blocker) {
     returns_->blocker->reason = {ReasonId::return_before, {}, {returns_->blocker->reason}};
     return *returns_;

@@ -35,9 +35,9 @@ bool is_break(IfStmt const *choice) {
   return then && isa<BreakStmt>(then);
 }
 
-class Uses : public Walk {
+class UseBehindLoop : public Walk {
 public:
-  Uses(VarDecl const *variable, SourceManager const &sources, SourceLocation end)
+  UseBehindLoop(VarDecl const *variable, SourceManager const &sources, SourceLocation end)
       : variable_(variable),
         sources_(sources),
         end_(end) {}
@@ -138,7 +138,7 @@ std::set<VarDecl const *> DecisionCollector::counters(Stmt const *loop, Compound
       for (Decl const *declared : declaration->decls()) {
         auto const *variable = dyn_cast<VarDecl>(declared);
         if (!variable || assigned.integers.count(variable) == 0) continue;
-        Uses uses(variable, map_.sources(), map_.sources().getExpansionLoc(loop->getEndLoc()));
+        UseBehindLoop uses(variable, map_.sources(), map_.sources().getExpansionLoc(loop->getEndLoc()));
         uses.TraverseStmt(const_cast<CompoundStmt *>(block));
         if (!uses.found) result.insert(variable);
       }

@@ -45,7 +45,7 @@ std::size_t KnownBytes::room(char const *address, std::size_t most) const {
   return next == parts_.end() ? most : std::min(most, static_cast<std::size_t>(next->begin - address));
 }
 
-void MemoryImage::save(Part part) {
+void MemoryImage::save(SavedObject part) {
   part.saved = bytes_.size();
   bytes_.insert(bytes_.end(), part.begin, part.begin + part.size);
   parts_.push_back(std::move(part));
@@ -59,35 +59,36 @@ MemoryImage MemoryImage::capture(void const *frame) {
   for (HeapBlock const &one : heap_blocks()) image.save({Region::heap_block, {}, one.begin, one.size, 0, one.serial});
   if (Known const stack = callers_stack(frame); stack.begin)
     image.save({Region::stack, {}, const_cast<char *>(stack.begin), stack.size, 0, 0});
-  std::sort(image.parts_.begin(), image.parts_.end(), [](Part const &a, Part const &b) { return a.begin < b.begin; });
+  std::sort(image.parts_.begin(), image.parts_.end(),
+            [](SavedObject const &a, SavedObject const &b) { return a.begin < b.begin; });
   return image;
 }
 
 char const *MemoryImage::before(void const *address) const {
-  Part const *part = object_around(parts_, address);
+  SavedObject const *part = object_around(parts_, address);
   return part ? bytes_.data() + part->saved + (static_cast<char const *>(address) - part->begin) : nullptr;
 }
 
 std::optional<Region> MemoryImage::region_of(void const *address) const {
-  Part const *part = object_around(parts_, address);
+  SavedObject const *part = object_around(parts_, address);
   return part ? std::optional(part->region) : std::nullopt;
 }
 
 std::optional<Change> MemoryImage::object_at(void const *address) const {
-  Part const *part = object_around(parts_, address);
+  SavedObject const *part = object_around(parts_, address);
   if (!part) return std::nullopt;
   return Change{part->region, part->name, part->begin, part->size, 0, part->size};
 }
 
 std::string MemoryImage::static_name(void const *address) const {
-  Part const *part = object_around(parts_, address);
+  SavedObject const *part = object_around(parts_, address);
   return part ? part->name : "";
 }
 
 void MemoryImage::add(HeapBlock const &block) {
   OwnWork const own;
   auto const next = std::upper_bound(parts_.begin(), parts_.end(), block.begin,
-                                     [](char const *begin, Part const &part) { return begin < part.begin; });
+                                     [](char const *begin, SavedObject const &part) { return begin < part.begin; });
   // A block in the place of a freed one has no bytes to compare with.
   if (next != parts_.begin() && block.begin < std::prev(next)->begin + std::prev(next)->size) return;
   if (next != parts_.end() && next->begin < block.begin + block.size) return;
@@ -96,19 +97,19 @@ void MemoryImage::add(HeapBlock const &block) {
 }
 
 void MemoryImage::update(void const *begin, std::size_t size) {
-  if (Part const *part = object_around(parts_, begin)) {
+  if (SavedObject const *part = object_around(parts_, begin)) {
     auto const offset = static_cast<std::size_t>(static_cast<char const *>(begin) - part->begin);
     std::memcpy(bytes_.data() + part->saved + offset, begin, std::min(size, part->size - offset));
   }
 }
 
-bool MemoryImage::has_changed(Part const &part) const {
+bool MemoryImage::has_changed(SavedObject const &part) const {
   return std::memcmp(part.begin, bytes_.data() + part.saved, part.size) != 0;
 }
 
 std::vector<Change> MemoryImage::initialised() const {
   std::set<std::string> names;
-  for (Part const &part : parts_)
+  for (SavedObject const &part : parts_)
     if (std::string object = guarded_by(part.name); !object.empty() && has_changed(part))
       names.insert(std::move(object));
   return named(names);
@@ -124,14 +125,14 @@ std::vector<Change> MemoryImage::guarded(void const *guard) const {
 std::vector<Change> MemoryImage::named(std::set<std::string> const &names) const {
   std::vector<Change> found;
   if (names.empty()) return found;
-  for (Part const &part : parts_)
+  for (SavedObject const &part : parts_)
     if (names.contains(part.name) ||
         std::ranges::any_of(names, [&](std::string const &name) { return is_kept_alive_by(part.name, name); }))
       found.push_back({part.region, part.name, part.begin, part.size, 0, part.size});
   return found;
 }
 
-void MemoryImage::compare(Part const &part, KnownBytes const &known, std::vector<Change> &changes) const {
+void MemoryImage::compare(SavedObject const &part, KnownBytes const &known, std::vector<Change> &changes) const {
   char const *saved = bytes_.data() + part.saved;
   if (!has_changed(part)) return;
   Change change{part.region, part.name, part.begin, part.size, part.size, 0};
@@ -148,7 +149,7 @@ void MemoryImage::compare(Part const &part, KnownBytes const &known, std::vector
 }
 
 bool MemoryImage::outlives(std::vector<HeapBlock> const &blocks, void const *address) const {
-  Part const *part = object_around(parts_, address);
+  SavedObject const *part = object_around(parts_, address);
   if (!part || part->region != Region::heap_block) return part != nullptr;
   auto const at = std::lower_bound(blocks.begin(), blocks.end(), part->begin,
                                    [](HeapBlock const &block, char *begin) { return block.begin < begin; });
@@ -157,7 +158,7 @@ bool MemoryImage::outlives(std::vector<HeapBlock> const &blocks, void const *add
 
 std::vector<Change> MemoryImage::objects() const {
   std::vector<Change> all;
-  for (Part const &part : parts_) all.push_back({part.region, part.name, part.begin, part.size, 0, part.size});
+  for (SavedObject const &part : parts_) all.push_back({part.region, part.name, part.begin, part.size, 0, part.size});
   return all;
 }
 
@@ -166,7 +167,7 @@ std::vector<Change> MemoryImage::changes(std::vector<Known> all_known) const {
   KnownBytes const known(std::move(all_known));
   std::vector<HeapBlock> const blocks = heap_blocks();
   std::vector<Change> found;
-  for (Part const &part : parts_)
+  for (SavedObject const &part : parts_)
     if (outlives(blocks, part.begin)) compare(part, known, found);
   std::set<char const *> made;
   for (Change const &object : initialised()) made.insert(object.object);
@@ -189,7 +190,7 @@ std::vector<Known> MemoryImage::owned(Known object, std::vector<HeapBlock> const
       for (char const *from : {one.begin + k, old}) {
         if (!from) continue;
         std::memcpy(static_cast<void *>(&pointer), from, sizeof pointer);
-        Part const *part = object_around(parts_, pointer);
+        SavedObject const *part = object_around(parts_, pointer);
         if (part && part->region == Region::heap_block && met.insert(part->begin).second)
           result.push_back({part->begin, part->size});
         if (HeapBlock const *block = part ? nullptr : object_around(blocks, pointer);

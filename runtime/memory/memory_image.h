@@ -81,19 +81,19 @@ public:
   std::vector<Known> owned(Known object, std::vector<HeapBlock> const &blocks = {}) const;
 
 private:
-  struct Part {
+  struct SavedObject {
     Region region;
     std::string name;
     char *begin;
     std::size_t size, saved; // offset in bytes_
     std::uint64_t serial;    // of a block
   };
-  void save(Part part);
+  void save(SavedObject part);
   std::vector<Change> named(std::set<std::string> const &names) const;
-  void compare(Part const &part, KnownBytes const &known, std::vector<Change> &changes) const;
-  bool has_changed(Part const &part) const;
+  void compare(SavedObject const &part, KnownBytes const &known, std::vector<Change> &changes) const;
+  bool has_changed(SavedObject const &part) const;
 
-  std::vector<Part> parts_; // by address
+  std::vector<SavedObject> parts_; // by address
   std::vector<char> bytes_;
 };
 

@@ -17,17 +17,17 @@ using rewrite::is_word;
 }
 
 // A part of the text, with its place.
-struct Part {
+struct PlacedText {
   std::string_view text;
   Place place;
 
-  Part from(std::size_t begin, std::size_t end = std::string_view::npos) const {
-    Part part{text.substr(begin, end == std::string_view::npos ? end : end - begin), place};
+  PlacedText from(std::size_t begin, std::size_t end = std::string_view::npos) const {
+    PlacedText part{text.substr(begin, end == std::string_view::npos ? end : end - begin), place};
     part.place.column += static_cast<unsigned>(begin);
     return part.trimmed();
   }
-  Part trimmed() const {
-    Part part = *this;
+  PlacedText trimmed() const {
+    PlacedText part = *this;
     while (!part.text.empty() && std::isspace(static_cast<unsigned char>(part.text.front()))) {
       part.text.remove_prefix(1);
       ++part.place.column;
@@ -39,7 +39,7 @@ struct Part {
 };
 
 // Visits the offsets outside brackets and literals; brackets must match.
-template <class Visit> void each_outside(Part const &part, Visit visit) {
+template <class Visit> void each_outside(PlacedText const &part, Visit visit) {
   std::vector<std::size_t> open;
   for (std::size_t i = 0; i < part.text.size(); ++i) {
     char const c = part.text[i];
@@ -65,8 +65,8 @@ template <class Visit> void each_outside(Part const &part, Visit visit) {
            std::string("this '") + part.text[open.back()] + "' is not closed");
 }
 
-std::vector<Part> split(Part const &part, char separator) {
-  std::vector<Part> parts;
+std::vector<PlacedText> split(PlacedText const &part, char separator) {
+  std::vector<PlacedText> parts;
   std::size_t begin = 0;
   each_outside(part, [&](std::size_t i) {
     if (part.text[i] != separator) return;
@@ -78,7 +78,7 @@ std::vector<Part> split(Part const &part, char separator) {
 }
 
 // Offset of the bracket that the last character closes.
-std::size_t opening(Part const &part) {
+std::size_t opening(PlacedText const &part) {
   std::size_t open = 0;
   each_outside(part, [&](std::size_t i) {
     if (part.text[i] == '(') open = i;
@@ -87,7 +87,7 @@ std::size_t opening(Part const &part) {
 }
 
 // Parses an item as in a pragma, with sections [low:length].
-void read_item(Part const &part, CallSpec::Item &item) {
+void read_item(PlacedText const &part, CallSpec::Item &item) {
   if (part.text.empty()) refuse(part.place, "an item is missing here");
   item.text = {part.string(), part.place};
   std::size_t at = part.text.find_first_not_of("*&( ");
@@ -129,12 +129,12 @@ void read_item(Part const &part, CallSpec::Item &item) {
   }
 }
 
-void require_finite(Part const &value) {
+void require_finite(PlacedText const &value) {
   if (rewrite::is_not_finite(value.string()))
     refuse(value.place, "'" + value.string() + "' is not finite, and a kernel is recorded at finite numbers");
 }
 
-void read_value(Part const &part, CallSpec::Item &item) {
+void read_value(PlacedText const &part, CallSpec::Item &item) {
   if (part.text.empty())
     refuse(part.place, "the value of '" + item.text.text + "' is missing: write " + item.text.text + "=0.5");
   std::size_t dots = part.text.npos;
@@ -142,7 +142,7 @@ void read_value(Part const &part, CallSpec::Item &item) {
     if (part.text.substr(i, 2) == ".." && dots == part.text.npos) dots = i;
   });
   if (dots != part.text.npos) {
-    Part const low = part.from(0, dots), high = part.from(dots + 2);
+    PlacedText const low = part.from(0, dots), high = part.from(dots + 2);
     item.range.emplace(ConfiguredText{low.string(), low.place}, ConfiguredText{high.string(), high.place});
     if (low.text.empty() || high.text.empty()) refuse(part.place, "a range has two ends, as in -1..1");
     if (std::string const wrong = rewrite::wrong_range(low.string(), high.string()); !wrong.empty())
@@ -150,16 +150,16 @@ void read_value(Part const &part, CallSpec::Item &item) {
     if (item.kind != "input")
       refuse(part.place, "a range is where the inputs of 'verify' lie; '" + item.text.text + "' is not an input");
   } else if (item.is_list = part.text.front() == '{'; item.is_list) {
-    Part const inner = part.from(1, part.text.size() - 1);
+    PlacedText const inner = part.from(1, part.text.size() - 1);
     item.value = inner.string();
-    for (Part const &one : split(inner, ',')) require_finite(one);
+    for (PlacedText const &one : split(inner, ',')) require_finite(one);
   } else {
     item.value = part.string();
     require_finite(part);
   }
 }
 
-CallSpec::Item read_argument(Part part) {
+CallSpec::Item read_argument(PlacedText part) {
   CallSpec::Item item{
       .kind = "input", .text = {}, .base = {}, .path = {}, .sections = {}, .behind = {}, .value = {}, .range = {}};
   for (auto const &[clause, word, where, traits, key] : rewrite::clause_table())
@@ -211,14 +211,14 @@ std::size_t scopes_begin(std::string_view text, std::size_t end) {
   return begin;
 }
 
-[[noreturn]] void refuse_name(Part const &part) {
+[[noreturn]] void refuse_name(PlacedText const &part) {
   refuse(part.place, "'" + part.string() +
                          "' is not the name of a function: write FUNCTION(ARGUMENTS) -> OUTPUTS, as in " +
                          "f(x[0:3]=0.5, n=3) -> y[0:3]");
 }
 
 // Parses name[<arguments>]; the name may have scopes.
-void read_name(Part part, CallSpec &spec) {
+void read_name(PlacedText part, CallSpec &spec) {
   if (std::size_t const word = operator_word(part.text); word != part.text.npos) {
     if (scopes_begin(part.text, word) != 0) refuse_name(part);
     std::string name = part.string();
@@ -227,7 +227,7 @@ void read_name(Part part, CallSpec &spec) {
     spec.function = {name, part.place};
     return;
   }
-  Part name = part;
+  PlacedText name = part;
   if (part.text.ends_with('>')) {
     std::size_t open = part.text.size(); // begin of the last brackets
     int depth = 0;
@@ -246,7 +246,7 @@ void read_name(Part part, CallSpec &spec) {
 }
 
 // Parses [object.]name[(types)], or an object that is called.
-void read_callee(Part part, CallSpec &spec) {
+void read_callee(PlacedText part, CallSpec &spec) {
   std::size_t const word = operator_word(part.text);
   std::size_t const end = word == part.text.npos ? part.text.npos : operator_end(part.text, word);
   if (part.text.ends_with(')') && end != part.text.size()) {
@@ -288,7 +288,7 @@ void refuse_repetitions(CallSpec const &spec) {
 bool is_call_spec(std::string const &text) { return text.find('(') != text.npos || text.find("->") != text.npos; }
 
 CallSpec parse_call_spec(ConfiguredText const &text) {
-  Part const all = Part{text.text, text.place}.trimmed();
+  PlacedText const all = PlacedText{text.text, text.place}.trimmed();
   CallSpec spec;
   std::size_t arrow = all.text.npos;
   each_outside(all, [&](std::size_t i) { // the arrow of body->x follows no call
@@ -297,19 +297,19 @@ CallSpec parse_call_spec(ConfiguredText const &text) {
   });
   spec.end = all.place;
   spec.end.column += static_cast<unsigned>(all.text.size());
-  Part const call = all.from(0, arrow);
+  PlacedText const call = all.from(0, arrow);
   if (!call.text.ends_with(')'))
     refuse(call.place, "'" + call.string() + "' has no arguments: write FUNCTION(ARGUMENTS) -> OUTPUTS, as in " +
                            "f(x[0:3]=0.5, n=3) -> y[0:3]");
   std::size_t const open = opening(call);
   read_callee(call.from(0, open), spec);
-  Part const arguments = call.from(open + 1, call.text.size() - 1);
+  PlacedText const arguments = call.from(open + 1, call.text.size() - 1);
   if (!arguments.text.empty())
-    for (Part const &one : split(arguments, ',')) spec.items.push_back(read_argument(one));
+    for (PlacedText const &one : split(arguments, ',')) spec.items.push_back(read_argument(one));
   if (arrow == all.text.npos)
     refuse(spec.end, "the outputs of '" + spec.function.text + "' are missing: add -> and the outputs, as in " +
                          "-> y[0:3], or -> return");
-  for (Part const &one : split(all.from(arrow + 2), ',')) {
+  for (PlacedText const &one : split(all.from(arrow + 2), ',')) {
     CallSpec::Item item{
         .kind = "output", .text = {}, .base = {}, .path = {}, .sections = {}, .behind = {}, .value = {}, .range = {}};
     read_item(one, item);

@@ -116,14 +116,14 @@ std::string function(std::string const &name, int count, std::string_view link_o
   return text + ";\n  (void)y;\n  (void)w;\n}\n";
 }
 
-struct Row {
+struct MeasuredLink {
   std::string name, link;
   double sample;
 };
 
 // Rows of the program; the links that are subtracted come first.
-std::vector<Row> measured() {
-  std::vector<Row> rows = {{"-", "$", 0.7}, {"-wide", "(double)(int64_t)wide_int($)", 5}};
+std::vector<MeasuredLink> measured() {
+  std::vector<MeasuredLink> rows = {{"-", "$", 0.7}, {"-wide", "(double)(int64_t)wide_int($)", 5}};
   for (OperationInfo const &row : operations())
     if (auto text = link(row, "$")) rows.push_back({std::string(row.name), *text, sample(row.domain)});
   return rows;
@@ -152,7 +152,7 @@ std::string measuring_program() {
   std::string table = "static struct { char const *name; void (*one)(double, double, double, double, int), "
                       "(*many)(double, double, double, double, int); double sample; } const table[] = {\n";
   std::size_t number = 0;
-  for (Row const &row : measured()) {
+  for (MeasuredLink const &row : measured()) {
     text += function(fmt::format("one_{}", number), 1, row.link);
     text += function(fmt::format("many_{}", number), chains, row.link);
     table += fmt::format("  {{\"{}\", one_{}, many_{}, {}}},\n", row.name, number, number, row.sample);

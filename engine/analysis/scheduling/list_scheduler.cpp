@@ -62,14 +62,15 @@ Time ListScheduler::run(std::span<Time const> priority, std::vector<Time> &start
 }
 
 std::size_t Profile::step_at(Time at) {
-  auto const next = std::ranges::upper_bound(steps_, at, {}, &Step::at);
+  auto const next = std::ranges::upper_bound(steps_, at, {}, &Occupancy::at);
   auto const step = next - 1;
   if (step->at == at) return static_cast<std::size_t>(step - steps_.begin());
   return static_cast<std::size_t>(steps_.insert(next, {at, step->busy}) - steps_.begin());
 }
 
 Time Profile::place(Time earliest, Time duration, unsigned units) {
-  auto i = static_cast<std::size_t>(std::ranges::upper_bound(steps_, earliest, {}, &Step::at) - steps_.begin()) - 1;
+  auto i =
+      static_cast<std::size_t>(std::ranges::upper_bound(steps_, earliest, {}, &Occupancy::at) - steps_.begin()) - 1;
   Time begin = earliest;
   for (; i < steps_.size() && steps_[i].at < begin + duration; ++i)
     if (steps_[i].busy >= units) begin = steps_[i + 1].at; // the last step is always free

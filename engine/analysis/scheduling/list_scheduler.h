@@ -84,12 +84,12 @@ public:
   Time place(Time earliest, Time duration, unsigned units);
 
 private:
-  struct Step {
+  struct Occupancy {
     Time at; // until the next step
     unsigned busy;
   };
   std::size_t step_at(Time at); // the step that begins at `at`; made if absent
-  std::vector<Step> steps_;
+  std::vector<Occupancy> steps_;
 };
 
 // Insertion scheduling: takes the most urgent task among those whose predecessors are placed, and places it in the

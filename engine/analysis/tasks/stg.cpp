@@ -65,7 +65,7 @@ std::uint64_t number(Word const &word, char const *what, std::uint64_t most) {
   return value;
 }
 
-struct Row {
+struct StgRow {
   std::uint64_t id;
   Time duration;
   Place place;
@@ -73,8 +73,8 @@ struct Row {
   std::vector<std::uint32_t> before; // row numbers
 };
 
-Row read_row(std::vector<Word> const &words) {
-  Row row{number(words[0], "id", ~std::uint64_t{0}), 0, words[0].place, {}, {}};
+StgRow read_row(std::vector<Word> const &words) {
+  StgRow row{number(words[0], "id", ~std::uint64_t{0}), 0, words[0].place, {}, {}};
   if (words.size() < 3)
     malformed(words.back().place, "task " + std::to_string(row.id) + " lacks " +
                                       (words.size() < 2 ? "a processing time and " : "") +
@@ -88,7 +88,7 @@ Row read_row(std::vector<Word> const &words) {
   return row;
 }
 
-std::vector<Row> read_rows(std::string_view text, std::string const &file) {
+std::vector<StgRow> read_rows(std::string_view text, std::string const &file) {
   Lines lines(text, file);
   std::vector<Word> words;
   if (!lines.next(words)) malformed(lines.end(), "the number of tasks is missing");
@@ -96,22 +96,22 @@ std::vector<Row> read_rows(std::string_view text, std::string const &file) {
   if (words.size() == 2) number(words[1], "number of units", most_tasks); // checked, then ignored
   Word const head = words[0];
   std::uint64_t const count = number(head, "number of tasks", most_tasks);
-  std::vector<Row> rows;
+  std::vector<StgRow> rows;
   while (lines.next(words)) rows.push_back(read_row(words));
-  auto const instants = static_cast<std::uint64_t>(std::ranges::count(rows, Time{0}, &Row::duration));
+  auto const instants = static_cast<std::uint64_t>(std::ranges::count(rows, Time{0}, &StgRow::duration));
   if (rows.size() < count || rows.size() > count + std::min(instants, std::uint64_t{2}))
     malformed(head.place, "the number of tasks is " + std::string(head.text) + ", and " + std::to_string(rows.size()) +
                               " follow; only two that take no time may be left out");
   return rows;
 }
 
-void resolve(std::vector<Row> &rows) {
+void resolve(std::vector<StgRow> &rows) {
   std::unordered_map<std::uint64_t, std::uint32_t> row_of;
   for (std::uint32_t i = 0; i < rows.size(); ++i)
     if (!row_of.emplace(rows[i].id, i).second)
       fail(DiagnosticId::task_graph_syntax, rows[i].place, "two tasks have the id " + std::to_string(rows[i].id),
            {{rows[row_of[rows[i].id]].place, "the other one"}});
-  for (Row &row : rows)
+  for (StgRow &row : rows)
     for (Word const &word : row.before_words) {
       auto const found = row_of.find(number(word, "id of a predecessor", ~std::uint64_t{0}));
       if (found == row_of.end()) malformed(word.place, "no task has the id " + std::string(word.text));
@@ -120,7 +120,7 @@ void resolve(std::vector<Row> &rows) {
 }
 
 // Reports a cycle: each waiting task has a waiting predecessor, so walking back from one leads into a cycle.
-[[noreturn]] void fail_with_cycle(std::vector<Row> const &rows, std::vector<std::uint32_t> const &waits_for) {
+[[noreturn]] void fail_with_cycle(std::vector<StgRow> const &rows, std::vector<std::uint32_t> const &waits_for) {
   auto const waits = [&](std::uint32_t row) { return waits_for[row] != 0; };
   std::uint32_t row = 0;
   while (!waits(row)) ++row;
@@ -146,7 +146,7 @@ void resolve(std::vector<Row> &rows) {
   fail(DiagnosticId::task_graph_cycle, rows[row].place, message, std::move(notes));
 }
 
-StgTasks sorted(std::vector<Row> const &rows) {
+StgTasks sorted(std::vector<StgRow> const &rows) {
   std::vector<std::vector<std::uint32_t>> after(rows.size());
   std::vector<std::uint32_t> waits_for(rows.size());
   std::priority_queue<std::uint32_t, std::vector<std::uint32_t>, std::greater<>> ready; // min-heap by text position
@@ -198,7 +198,7 @@ void write_row(std::ostream &out, std::uint64_t id, Time duration, std::vector<s
 } // namespace
 
 StgTasks read_stg(std::string_view text, std::string const &file_name) {
-  std::vector<Row> rows = read_rows(text, file_name);
+  std::vector<StgRow> rows = read_rows(text, file_name);
   resolve(rows);
   return sorted(rows);
 }

@@ -78,7 +78,7 @@ std::string c_integer_includes(Emission const &emission) {
 }
 
 std::string c_integer_functions(Emission const &emission) {
-  Uses const &uses = emission.uses;
+  UsedFeatures const &uses = emission.uses;
   std::array<bool, functions.size()> wanted{};
   for (std::size_t k = functions.size(); k-- > 0;) {
     wanted[k] = uses.integer_functions.contains(functions[k].name);

@@ -18,9 +18,9 @@ Origin origin_of(Emission const &emission, std::vector<NodeId> const &operations
   return origin;
 }
 
-static bool is_about_variable(Step const &step) {
-  return step.kind == Step::Kind::declare || step.kind == Step::Kind::set || step.kind == Step::Kind::set_const ||
-         step.kind == Step::Kind::keep;
+static bool is_about_variable(BlockStep const &step) {
+  return step.kind == BlockStep::Kind::declare || step.kind == BlockStep::Kind::set ||
+         step.kind == BlockStep::Kind::set_const || step.kind == BlockStep::Kind::keep;
 }
 
 BodyPrinter::BodyPrinter(Emission &emission, FunctionBody const &body, bool is_compute, std::string_view target)
@@ -75,11 +75,11 @@ bool BodyPrinter::statements(std::size_t chunk, CodeText &out, std::size_t inden
     context_.variable[id] = static_cast<std::uint32_t>(k);
     if (is_call(k)) context_.kept[id] = chunks_.spill_slot[id]; // its results are stored there at once
   }
-  for (Step const &step : blocks(emission_.plan, body_, is_compute_, chunks_, chunk)) {
-    if (step.kind == Step::Kind::close || step.kind == Step::Kind::otherwise) indent -= 2;
+  for (BlockStep const &step : blocks(emission_.plan, body_, is_compute_, chunks_, chunk)) {
+    if (step.kind == BlockStep::Kind::close || step.kind == BlockStep::Kind::otherwise) indent -= 2;
     print_step(step, indent, out);
-    if (step.kind == Step::Kind::open || step.kind == Step::Kind::otherwise) indent += 2;
-    checks = checks || step.kind == Step::Kind::check;
+    if (step.kind == BlockStep::Kind::open || step.kind == BlockStep::Kind::otherwise) indent += 2;
+    checks = checks || step.kind == BlockStep::Kind::check;
   }
   if (chunks_.size() == 1) return checks;
   if (chunk == chunks_.stores.first_chunk) context_.copied = chunks_.copy_slot;
@@ -91,32 +91,32 @@ bool BodyPrinter::statements(std::size_t chunk, CodeText &out, std::size_t inden
   return checks;
 }
 
-void BodyPrinter::print_step(Step const &step, std::size_t indent, CodeText &out) {
+void BodyPrinter::print_step(BlockStep const &step, std::size_t indent, CodeText &out) {
   if (is_about_variable(step) && is_call(step.index)) return print_call(step, indent, out);
   StatementSyntax const &syntax = language_.statements;
   switch (step.kind) {
-  case Step::Kind::declare: return declare(step.index, indent, out);
-  case Step::Kind::open:
+  case BlockStep::Kind::declare: return declare(step.index, indent, out);
+  case BlockStep::Kind::open:
     return out.statement(indent,
                          fill(language_, syntax.open, {{"condition", print_condition(context_, step.literal)}}));
-  case Step::Kind::otherwise: return out.statement(indent, syntax.otherwise);
-  case Step::Kind::close: return out.statement(indent, syntax.close);
-  case Step::Kind::set: return set(step.index, false, indent, out);
-  case Step::Kind::set_const: return set(step.index, true, indent, out);
-  case Step::Kind::keep: {
+  case BlockStep::Kind::otherwise: return out.statement(indent, syntax.otherwise);
+  case BlockStep::Kind::close: return out.statement(indent, syntax.close);
+  case BlockStep::Kind::set: return set(step.index, false, indent, out);
+  case BlockStep::Kind::set_const: return set(step.index, true, indent, out);
+  case BlockStep::Kind::keep: {
     NodeId const id = body_.variables[step.index];
     begin_store("v", chunks_.spill_slot[id]);
     print_use(context_, id, value_);
     return end_store(id, indent, out);
   }
-  case Step::Kind::copy: {
+  case BlockStep::Kind::copy: {
     NodeId const id = chunks_.stores.copied[step.index];
     begin_store("v", chunks_.copy_slot[id]);
     print_expression(context_, id, value_);
     return end_store(id, indent, out);
   }
-  case Step::Kind::store: return store_result(step.index, indent, out);
-  case Step::Kind::check: {
+  case BlockStep::Kind::store: return store_result(step.index, indent, out);
+  case BlockStep::Kind::check: {
     std::string const condition = print_condition(context_, {body_.checks[step.index].condition, false});
     return out.statement(
         indent, fill(language_, syntax.check, {{"condition", condition}, {"number", std::to_string(step.index + 1)}}));
@@ -172,20 +172,20 @@ void BodyPrinter::check_value(std::size_t statement, std::size_t indent, CodeTex
 }
 
 // Prints a call, with an array for its results: a local one, or v, where later chunks read them.
-void BodyPrinter::print_call(Step const &step, std::size_t indent, CodeText &out) {
-  if (step.kind == Step::Kind::keep) return;
+void BodyPrinter::print_call(BlockStep const &step, std::size_t indent, CodeText &out) {
+  if (step.kind == BlockStep::Kind::keep) return;
   StatementSyntax const &syntax = language_.statements;
   CallStatement const call(context_, step.index);
   std::string const count = std::to_string(std::max<std::size_t>(call.function().result_count(), 1));
-  if (call.has_array() && step.kind != Step::Kind::set) {
-    std::string const array = fill(language_, step.kind == Step::Kind::declare ? syntax.zero_array : syntax.array,
+  if (call.has_array() && step.kind != BlockStep::Kind::set) {
+    std::string const array = fill(language_, step.kind == BlockStep::Kind::declare ? syntax.zero_array : syntax.array,
                                    {{"name", call.array()}, {"count", count}});
     bool const stands_first = !syntax.first_declaration.empty();
     (stands_first ? declarations_ : out).statement(stands_first ? 2 : indent, array);
-    if (stands_first && step.kind == Step::Kind::declare)
+    if (stands_first && step.kind == BlockStep::Kind::declare)
       out.statement(indent, fill(language_, syntax.set, {{"name", call.array()}, {"value", language_.number.zero}}));
   }
-  if (step.kind == Step::Kind::declare) return;
+  if (step.kind == BlockStep::Kind::declare) return;
   context_.spelled_out = {body_.variables[step.index]};
   std::vector<std::string> const lines = call.print();
   for (std::size_t k = 0; k < lines.size(); ++k)
@@ -209,7 +209,7 @@ void BodyPrinter::end_store(NodeId id, std::size_t indent, CodeText &out) {
 }
 
 void BodyPrinter::checks(CodeText &out) {
-  for (std::size_t k = 0; k < body_.checks.size(); ++k) print_step({Step::Kind::check, k}, 2, out);
+  for (std::size_t k = 0; k < body_.checks.size(); ++k) print_step({BlockStep::Kind::check, k}, 2, out);
 }
 
 void BodyPrinter::store_result(std::size_t result, std::size_t indent, CodeText &out) {

@@ -55,11 +55,11 @@ private:
   TypeSyntax const &type_syntax(std::size_t statement) const;
   bool is_call(std::size_t statement) const;
 
-  void print_step(Step const &step, std::size_t indent, CodeText &out);
+  void print_step(BlockStep const &step, std::size_t indent, CodeText &out);
   void declare(std::size_t statement, std::size_t indent, CodeText &out);
   void set(std::size_t statement, bool declares, std::size_t indent, CodeText &out);
   void check_value(std::size_t statement, std::size_t indent, CodeText &out) const;
-  void print_call(Step const &step, std::size_t indent, CodeText &out);
+  void print_call(BlockStep const &step, std::size_t indent, CodeText &out);
   void store_result(std::size_t result, std::size_t indent, CodeText &out);
   // Begin and end of the store of a value in an element: `value_` takes the value between the two.
   void begin_store(std::string_view array, std::size_t index);

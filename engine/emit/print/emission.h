@@ -16,7 +16,7 @@
 namespace symreal {
 
 // Features that printed functions use, which the rest of the file must provide.
-struct Uses {
+struct UsedFeatures {
   std::bitset<op_count> operations; // printed operations
   std::bitset<op_count> spelled;    // operations whose spelling is printed, also for negated or compared conditions
   std::set<std::string_view> integer_functions; // by their names in the operation table
@@ -28,7 +28,7 @@ struct Uses {
   bool side_by_side = false; // parts whose loops are vectorised, whatever the rest of the file permits
   bool not_finite = false;   // infinities or NaNs among the constants
 
-  void add(Uses const &other) {
+  void add(UsedFeatures const &other) {
     operations |= other.operations;
     spelled |= other.spelled;
     integer_functions.insert(other.integer_functions.begin(), other.integer_functions.end());
@@ -57,7 +57,7 @@ struct Emission {
   std::set<std::string> local_names = {}; // names in the functions other than variables
   Spellings spellings{language};
   std::vector<std::string> bridges = bridge_names(*plan.graph, language); // per function of the graph
-  Uses uses = {};
+  UsedFeatures uses = {};
 
   Graph const &graph() const { return *plan.graph; }
   // Whether compilers must not fuse a multiplication and an addition. In mode fast this holds only for exact

@@ -208,7 +208,7 @@ bool CallStatement::has_array() const {
 
 std::vector<std::string> CallStatement::print() const {
   Graph const &graph = context_.graph();
-  Uses &uses = context_.emission.uses;
+  UsedFeatures &uses = context_.emission.uses;
   uses.externals.insert(number_);
   if (is_kept()) context_.arrays.insert("v");
   std::vector<NodeId> const values = arguments_of(graph, graph.nodes[call_].operand[0]);

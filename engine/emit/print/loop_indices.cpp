@@ -26,7 +26,9 @@ std::string index_text(std::int64_t first, std::vector<std::pair<std::int64_t, s
   return subtracted.empty() ? fmt::format("{} + {}", added, first) : fmt::format("{} + {}{}", first, added, subtracted);
 }
 
-LoopIndices::LoopIndices(Language const &language, reroll::Step const &step) : language_(language), count_(step.count) {
+LoopIndices::LoopIndices(Language const &language, reroll::LoopStep const &step)
+    : language_(language),
+      count_(step.count) {
   if (!is_loop()) return;
   nest_ = reroll::nest_of(step);
   for (std::string_view const name : {all, outer, inner})

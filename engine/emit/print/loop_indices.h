@@ -24,7 +24,7 @@ std::string index_text(std::int64_t first, std::vector<std::pair<std::int64_t, s
 // index needs it.
 class LoopIndices {
 public:
-  LoopIndices(Language const &language, reroll::Step const &step);
+  LoopIndices(Language const &language, reroll::LoopStep const &step);
 
   bool is_loop() const { return count_ > 1; }
   bool is_nested() const { return nest_.has_value(); }

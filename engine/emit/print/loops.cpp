@@ -16,7 +16,7 @@ namespace {
 
 using reroll::Access;
 using reroll::Leaf;
-using reroll::Step;
+using reroll::LoopStep;
 using reroll::Store;
 
 // Names of the arrays of a function.
@@ -29,7 +29,7 @@ struct LoopArrays {
 // `used`.
 class StepPrinter {
 public:
-  StepPrinter(Emission &emission, Step const &step, StepNumbers const &numbers, LoopTables const &tables,
+  StepPrinter(Emission &emission, LoopStep const &step, StepNumbers const &numbers, LoopTables const &tables,
               LoopArrays const &arrays, CodeText &out, std::set<std::string> &used)
       : emission_(emission),
         language_(emission.language),
@@ -187,7 +187,7 @@ private:
 
   Emission &emission_;
   Language const &language_;
-  Step const &step_;
+  LoopStep const &step_;
   StepNumbers const &numbers_;
   LoopTables const &tables_;
   LoopIndices indices_;
@@ -233,7 +233,7 @@ public:
                              {{"name", arrays_.memory}, {"count", std::to_string(function_.memory)}}));
     bool is_checked = false;
     for (std::size_t k = 0; k < function_.steps.size(); ++k) {
-      Step const &step = function_.steps[k];
+      LoopStep const &step = function_.steps[k];
       bool const fills = std::ranges::any_of(step.stores, &Store::is_result);
       if (fills && !std::exchange(is_checked, true)) print_checks(last);
       used.merge(print_part(k, out, last));
@@ -274,7 +274,7 @@ private:
 
   // Prints a part, and returns the arrays that it uses, its parameters. Arrays that it fills overlap no other.
   std::set<std::string> print_part(std::size_t number, CodeText &out, CodeText &calls) {
-    Step const &step = function_.steps[number];
+    LoopStep const &step = function_.steps[number];
     CodeText text(language_);
     std::set<std::string> used;
     StepPrinter(emission_, step, tables_.of_step(number), tables_, arrays_, text, used).print();

@@ -16,7 +16,7 @@
 namespace symreal {
 
 using reroll::Leaf;
-using reroll::Step;
+using reroll::LoopStep;
 
 namespace {
 
@@ -111,10 +111,10 @@ struct NumberTables::Columns {
   }
 };
 
-NumberTables::NumberTables(std::vector<Step> const &steps) : steps_(steps.size()) {
+NumberTables::NumberTables(std::vector<LoopStep> const &steps) : steps_(steps.size()) {
   std::vector<Columns> all;
   for (std::size_t number = 0; number < steps.size(); ++number) {
-    Step const &step = steps[number];
+    LoopStep const &step = steps[number];
     steps_[number].places.resize(step.leaves.size());
     std::map<std::pair<std::size_t, bool>, Columns> of_step;
     for (std::size_t k = 0; k < step.leaves.size(); ++k) {
@@ -191,7 +191,7 @@ void print_table(Language const &language, std::size_t indent, std::string_view 
 
 } // namespace
 
-LoopTables::LoopTables(Language const &language, std::string_view function, std::vector<reroll::Step> const &steps)
+LoopTables::LoopTables(Language const &language, std::string_view function, std::vector<reroll::LoopStep> const &steps)
     : numbers_(steps) {
   std::map<std::size_t, std::size_t> shared; // per row count
   for (std::size_t k = 0; k < numbers_.tables().size(); ++k) {

@@ -48,7 +48,7 @@ struct StepNumbers {
 
 class NumberTables {
 public:
-  explicit NumberTables(std::vector<reroll::Step> const &steps);
+  explicit NumberTables(std::vector<reroll::LoopStep> const &steps);
 
   std::vector<NumberTable> const &tables() const { return tables_; }
   std::vector<StepNumbers> const &steps() const { return steps_; }
@@ -64,7 +64,7 @@ private:
 // The tables of a function, and their names.
 class LoopTables {
 public:
-  LoopTables(Language const &language, std::string_view function, std::vector<reroll::Step> const &steps);
+  LoopTables(Language const &language, std::string_view function, std::vector<reroll::LoopStep> const &steps);
 
   StepNumbers const &of_step(std::size_t step) const { return numbers_.steps()[step]; }
   NumberTable const &table(std::size_t table) const { return numbers_.tables()[table]; }

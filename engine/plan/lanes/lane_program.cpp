@@ -11,7 +11,7 @@ namespace {
 
 class Program {
 public:
-  Program(ScalarFunction const &function, Found const &found)
+  Program(ScalarFunction const &function, VectorChoice const &found)
       : function_(function),
         packs_(found.packs),
         needs_(function, packs_, found.stores),
@@ -74,7 +74,7 @@ private:
   }
 
   // Loads a window of an array, once.
-  VectorId load(Source::Part const &part, std::vector<NodeId> nodes) {
+  VectorId load(Source::Window const &part, std::vector<NodeId> nodes) {
     auto const is_it = [&](Vector const &vector) {
       return vector.form == Vector::Form::load && vector.array == part.array && vector.first == part.first;
     };
@@ -192,7 +192,7 @@ private:
 
 } // namespace
 
-LaneFunction lane_function(ScalarFunction const &function, Found const &found) {
+LaneFunction lane_function(ScalarFunction const &function, VectorChoice const &found) {
   return Program(function, found).run();
 }
 

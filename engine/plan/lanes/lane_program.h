@@ -66,8 +66,8 @@ struct LaneFunction {
 };
 
 class ScalarFunction;
-struct Found;
+struct VectorChoice;
 // Lane program of the vectors that the search found (search.h): their sources and order.
-LaneFunction lane_function(ScalarFunction const &function, Found const &found);
+LaneFunction lane_function(ScalarFunction const &function, VectorChoice const &found);
 
 } // namespace symreal::lanes

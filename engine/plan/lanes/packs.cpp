@@ -159,7 +159,7 @@ Source Packs::source(VectorId id) const {
 }
 
 // Lane of the part that has the node.
-std::optional<std::uint32_t> Packs::lane_in(NodeId node, Source::Part const &part) const {
+std::optional<std::uint32_t> Packs::lane_in(NodeId node, Source::Window const &part) const {
   if (part.is_load()) {
     if (!function_.is_element(node)) return {};
     Element const element = function_.element(node);
@@ -174,9 +174,9 @@ std::optional<std::uint32_t> Packs::lane_in(NodeId node, Source::Part const &par
 }
 
 // Shuffle of nodes that are all in the first part, or in it and one of the others.
-std::optional<Source> Packs::from_parts(std::vector<NodeId> const &nodes, Source::Part const &first,
-                                        std::vector<Source::Part> const &others) const {
-  auto const try_parts = [&](std::vector<Source::Part> const &parts) -> std::optional<Source> {
+std::optional<Source> Packs::from_parts(std::vector<NodeId> const &nodes, Source::Window const &first,
+                                        std::vector<Source::Window> const &others) const {
+  auto const try_parts = [&](std::vector<Source::Window> const &parts) -> std::optional<Source> {
     Source source{Vector::Form::shuffle, parts, {}};
     for (NodeId node : nodes) {
       std::optional<std::uint32_t> lane = lane_in(node, parts[0]);
@@ -190,7 +190,7 @@ std::optional<Source> Packs::from_parts(std::vector<NodeId> const &nodes, Source
     return source;
   };
   if (auto source = try_parts({first})) return source;
-  for (Source::Part const &other : others)
+  for (Source::Window const &other : others)
     if (auto source = try_parts({first, other})) return source;
   return {};
 }
@@ -200,9 +200,9 @@ std::optional<Source> Packs::shuffled(std::vector<NodeId> const &nodes) const {
   if (std::ranges::any_of(nodes, [&](NodeId node) { return places_[node].empty(); })) return {};
   std::optional<Source> of_two;
   for (Lane const &place : places_[nodes[0]]) {
-    Source::Part const first{.pack = place.vector};
+    Source::Window const first{.pack = place.vector};
     auto const outside = std::ranges::find_if(nodes, [&](NodeId node) { return !lane_in(node, first); });
-    std::vector<Source::Part> others;
+    std::vector<Source::Window> others;
     if (outside != nodes.end())
       for (Lane const &other : places_[*outside]) others.push_back({.pack = other.vector});
     std::optional<Source> source = from_parts(nodes, first, others);
@@ -222,7 +222,7 @@ std::optional<Source> Packs::loaded(std::vector<NodeId> const &nodes) const {
     return {};
   auto const index = [&](std::size_t lane) { return function_.element(nodes[lane]).index; };
   auto const window = [&](std::size_t first) {
-    return Source::Part{.array = array, .first = std::min(first, extent - width)};
+    return Source::Window{.array = array, .first = std::min(first, extent - width)};
   };
   bool side_by_side = true;
   for (std::size_t lane = 1; lane < width; ++lane) side_by_side = side_by_side && index(lane) == index(0) + lane;
@@ -233,7 +233,7 @@ std::optional<Source> Packs::loaded(std::vector<NodeId> const &nodes) const {
     highest = std::max(highest, index(lane));
   }
   // Windows that begin at multiples of the width are shared more often.
-  Source::Part const low = window(lowest / width * width), high = window(highest / width * width);
+  Source::Window const low = window(lowest / width * width), high = window(highest / width * width);
   if (auto source = from_parts(nodes, low, {})) return source;
   if (highest - lowest < width) return from_parts(nodes, window(lowest), {});
   return from_parts(nodes, low, {high});

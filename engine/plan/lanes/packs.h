@@ -11,16 +11,16 @@ namespace symreal::lanes {
 // Origin of the numbers of a vector other than an operation.
 struct Source {
   // A window of array elements, or a computed vector.
-  struct Part {
+  struct Window {
     VectorId pack = no_vector; // no_vector: array elements
     Array array = Array::input;
     std::size_t first = 0;
 
     bool is_load() const { return pack == no_vector; }
-    bool operator==(Part const &) const = default;
+    bool operator==(Window const &) const = default;
   };
   Vector::Form form;
-  std::vector<Part> parts = {}; // one for a load, one or two for a shuffle
+  std::vector<Window> parts = {}; // one for a load, one or two for a shuffle
   std::vector<std::uint32_t> from = {};
   std::size_t column = 0, stride = 0; // of a build from elements a stride apart, such as a matrix column
 };
@@ -58,9 +58,9 @@ private:
   std::optional<Source> shuffled(std::vector<NodeId> const &nodes) const;
   std::optional<Source> loaded(std::vector<NodeId> const &nodes) const;
   std::optional<Source> column(std::vector<NodeId> const &nodes) const;
-  std::optional<std::uint32_t> lane_in(NodeId node, Source::Part const &part) const;
-  std::optional<Source> from_parts(std::vector<NodeId> const &nodes, Source::Part const &first,
-                                   std::vector<Source::Part> const &others) const;
+  std::optional<std::uint32_t> lane_in(NodeId node, Source::Window const &part) const;
+  std::optional<Source> from_parts(std::vector<NodeId> const &nodes, Source::Window const &first,
+                                   std::vector<Source::Window> const &others) const;
 
   ScalarFunction const &function_;
   std::vector<Pack> packs_;

@@ -91,7 +91,7 @@ void Needs::expand_vector(VectorId id) {
   }
   Source const source = packs_.source(id);
   cost_ += price(source, pack.nodes);
-  for (Source::Part const &part : source.parts)
+  for (Source::Window const &part : source.parts)
     if (!part.is_load()) stack_.push_back(key(part.pack));
   if (source.form == Vector::Form::splat) stack_.push_back(pack.nodes[0]);
   if (source.form == Vector::Form::build && source.stride == 0)
@@ -100,7 +100,7 @@ void Needs::expand_vector(VectorId id) {
 
 double Needs::price(Source const &source, std::vector<NodeId> const &nodes) {
   double sum = 0;
-  for (Source::Part const &part : source.parts) { // each window is loaded once
+  for (Source::Window const &part : source.parts) { // each window is loaded once
     if (!part.is_load() || std::ranges::find(windows_, part) != windows_.end()) continue;
     windows_.push_back(part);
     sum += price::load;
@@ -206,7 +206,7 @@ class VectorSearch {
 public:
   explicit VectorSearch(ScalarFunction const &function) : function_(function), packs_(function), cost_(cost()) {}
 
-  Found run() {
+  VectorChoice run() {
     store_results();
     for (Depth const depth : {Depth::whole, Depth::few})
       for (bool gains = true; gains;) {
@@ -304,6 +304,6 @@ private:
 
 } // namespace
 
-Found search(ScalarFunction const &function) { return VectorSearch(function).run(); }
+VectorChoice search(ScalarFunction const &function) { return VectorSearch(function).run(); }
 
 } // namespace symreal::lanes

@@ -45,17 +45,17 @@ private:
   std::vector<Store> const &stores_;
   std::vector<State> state_;
   std::vector<Key> stack_;
-  std::vector<Source::Part> windows_;
+  std::vector<Source::Window> windows_;
   std::vector<Item> order_;
   double cost_ = 0;
 };
 
 // Vectors that pay, and the vector stores among them.
-struct Found {
+struct VectorChoice {
   Packs packs;
   std::vector<Store> stores;
 };
 
-Found search(ScalarFunction const &function);
+VectorChoice search(ScalarFunction const &function);
 
 } // namespace symreal::lanes

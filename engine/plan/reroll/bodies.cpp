@@ -32,7 +32,7 @@ std::array<NodeId, 3> moved(Node const &node, std::vector<NodeId> const &now) {
 // Conversion of a body to the graph that passes work on, and back.
 class Improver {
 public:
-  Improver(Step const &step, Angles const &angles) : step_(step), angles_(angles) {
+  Improver(LoopStep const &step, Angles const &angles) : step_(step), angles_(angles) {
     for (std::uint32_t k = 0; k < step.leaves.size(); ++k) {
       Leaf const &leaf = step.leaves[k];
       auto const of_same_angle = [&](Leaf const &other) { return is_on_circle(other) && other.access == leaf.access; };
@@ -67,7 +67,7 @@ public:
     return graph;
   }
 
-  Step step(Graph const &graph) {
+  LoopStep step(Graph const &graph) {
     std::vector<char> const needed = needed_nodes(graph);
     std::vector<std::vector<double>> const rows = table_rows(graph, needed);
     BodyBuilder body(graph);
@@ -185,7 +185,7 @@ private:
     return role.constant ? body.constant(*role.constant) : body.leaf({role.kind, {}, role.values, role.by_turn});
   }
 
-  Step const &step_;
+  LoopStep const &step_;
   Angles const &angles_;
   std::vector<std::uint32_t> tables_;            // leaves
   std::map<std::uint32_t, std::uint32_t> angle_; // of a sine or cosine: the first leaf of the same angle
@@ -221,27 +221,27 @@ std::size_t operations_of(Graph const &body) {
   return count;
 }
 
-std::size_t operations_of(Step const &step) { return step.count * operations_of(step.body); }
+std::size_t operations_of(LoopStep const &step) { return step.count * operations_of(step.body); }
 
-Step improved(Step const &step, Angles const &angles, Improve const &improve) {
+LoopStep improved(LoopStep const &step, Angles const &angles, Improve const &improve) {
   Improver improver(step, angles);
-  Step cheaper = improver.step(improve(improver.graph(), step.count > 1));
+  LoopStep cheaper = improver.step(improve(improver.graph(), step.count > 1));
   return operations_of(cheaper.body) < operations_of(step.body) ? cheaper : step;
 }
 
 void improve_bodies(LoopFunction &function, Angles const &angles, Improve const &improve) {
   Improve const once = each_once(improve);
   bool has_results = false;
-  for (Step &step : function.steps) {
+  for (LoopStep &step : function.steps) {
     has_results = has_results || std::ranges::any_of(step.stores, &Store::is_result);
-    Step cheaper = improved(step, angles, once);
+    LoopStep cheaper = improved(step, angles, once);
     // Passes may read an angle from the inputs, which results may overlap.
     if (!has_results || !reads_arguments(cheaper)) step = std::move(cheaper);
   }
   function = with_few_signs(std::move(function)); // passes have changed the tables
-  for (Step &step : function.steps) step = with_short_recurrences(std::move(step));
+  for (LoopStep &step : function.steps) step = with_short_recurrences(std::move(step));
   function.operations = function.in_loops = 0;
-  for (Step const &step : function.steps) {
+  for (LoopStep const &step : function.steps) {
     std::size_t const operations = operations_of(step);
     function.operations += operations;
     if (step.count > 1) function.in_loops += operations;

@@ -17,11 +17,11 @@ using Improve = std::function<Graph(Graph graph, bool in_loop)>;
 // A step with fewer operations, else the step unchanged. To the passes, table constants are parameters, and nodes that
 // depend on parameters alone move into the tables, evaluated here row by row; elements of `sine` and `cosine` are the
 // sine and cosine of an input. `angles`: those of the schedule.
-Step improved(Step const &step, Angles const &angles, Improve const &improve);
+LoopStep improved(LoopStep const &step, Angles const &angles, Improve const &improve);
 
 // Operation count of a body, and of a step over all its iterations.
 std::size_t operations_of(Graph const &body);
-std::size_t operations_of(Step const &step);
+std::size_t operations_of(LoopStep const &step);
 
 // Improves all steps and updates the operation counts of the function.
 void improve_bodies(LoopFunction &function, Angles const &angles, Improve const &improve);

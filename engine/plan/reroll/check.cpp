@@ -19,8 +19,8 @@ public:
         memory_(function.memory),
         results_(result_count) {}
 
-  std::string steps(std::vector<Step> const &steps) {
-    for (Step const &step : steps) {
+  std::string steps(std::vector<LoopStep> const &steps) {
+    for (LoopStep const &step : steps) {
       std::vector<Value> carried(step.leaves.size());
       for (std::uint32_t k = 0; k < step.count && difference_.empty(); ++k) iteration(step, k, carried);
     }
@@ -46,7 +46,7 @@ public:
   }
 
 private:
-  void iteration(Step const &step, std::uint32_t k, std::vector<Value> &carried) {
+  void iteration(LoopStep const &step, std::uint32_t k, std::vector<Value> &carried) {
     Graph const &body = step.body;
     std::vector<Value> values(body.nodes.size());
     for (std::size_t id = 0; id < body.nodes.size(); ++id) {
@@ -68,7 +68,7 @@ private:
       if (step.leaves[slot].kind == Leaf::Kind::carried) carried[slot] = values[step.leaves[slot].next];
   }
 
-  Value leaf(Step const &step, Leaf const &leaf, std::uint32_t k, Value const &carried) {
+  Value leaf(LoopStep const &step, Leaf const &leaf, std::uint32_t k, Value const &carried) {
     if (has_results_ && is_argument(leaf.kind)) difference_ = "an input is read after a result is stored";
     switch (leaf.kind) {
     case Leaf::Kind::given:

@@ -8,7 +8,7 @@ double value_at(Leaf const &leaf, std::uint32_t iteration, std::optional<Nest> c
   return leaf.values[(leaf.by_turn && nest ? turn_of(*nest, iteration).outer : iteration) % leaf.values.size()];
 }
 
-std::optional<Nest> nest_of(Step const &step) {
+std::optional<Nest> nest_of(LoopStep const &step) {
   if (step.nest) return step.nest;
   std::vector<Access const *> accesses;
   for (Leaf const &leaf : step.leaves) accesses.push_back(&leaf.access);
@@ -32,7 +32,7 @@ bool are_neighbours(NestedAccess const &a, NestedAccess const &b) {
 
 } // namespace
 
-bool is_side_by_side(Step const &step) {
+bool is_side_by_side(LoopStep const &step) {
   if (step.count == 1) return false;
   if (std::ranges::any_of(step.leaves, [](Leaf const &leaf) { return leaf.kind == Leaf::Kind::carried; })) return false;
   std::optional<Nest> const nest = nest_of(step);
@@ -55,8 +55,8 @@ NodeId BodyBuilder::operation(Op op, std::array<NodeId, 3> const &operands, Node
   return node;
 }
 
-Step BodyBuilder::finish(std::uint32_t count, std::optional<Nest> const &nest) {
-  Step step{{}, count, std::move(leaves_), std::move(stores_), nest};
+LoopStep BodyBuilder::finish(std::uint32_t count, std::optional<Nest> const &nest) {
+  LoopStep step{{}, count, std::move(leaves_), std::move(stores_), nest};
   Graph &body = step.body;
   body.kernel = graph_->kernel;
   body.tables = graph_->tables;

@@ -42,7 +42,7 @@ struct Store {
   Access access = {};
 };
 
-struct Step {
+struct LoopStep {
   Graph body; // input k is leaf k; results are the stored and the carried values
   std::uint32_t count = 1;
   std::vector<Leaf> leaves = {};
@@ -54,7 +54,7 @@ struct Step {
 double value_at(Leaf const &leaf, std::uint32_t iteration, std::optional<Nest> const &nest);
 
 // Loop nest of the step; if it is not known beforehand, the one that fits its accesses.
-std::optional<Nest> nest_of(Step const &step);
+std::optional<Nest> nest_of(LoopStep const &step);
 
 // Whether compilers may vectorise the loop of the step without changing results: iterations are independent, and no two
 // stores of one iteration can be neighbours.
@@ -63,11 +63,11 @@ std::optional<Nest> nest_of(Step const &step);
 // differences alternate in neighbouring elements of memory. That takes stores of one iteration to neighbouring
 // elements, so a loop without such stores is safe: its vectors hold one operation of several iterations. Small inner
 // loops are unrolled first, and then the stores of several inner iterations belong to one outer iteration.
-bool is_side_by_side(Step const &step);
+bool is_side_by_side(LoopStep const &step);
 
 // Whether the leaf reads an array that the caller passes, which outputs may overlap.
 inline bool is_argument(Leaf::Kind kind) { return kind == Leaf::Kind::given || kind == Leaf::Kind::read; }
-inline bool reads_arguments(Step const &step) { return std::ranges::any_of(step.leaves, is_argument, &Leaf::kind); }
+inline bool reads_arguments(LoopStep const &step) { return std::ranges::any_of(step.leaves, is_argument, &Leaf::kind); }
 
 // A symmetric matrix among the outputs, stored by rows. After all steps, the half below its diagonal is copied from the
 // half above, or the other way round.
@@ -87,7 +87,7 @@ template <class Visit> void for_each_copy(Mirror const &mirror, Visit const &vis
 }
 
 struct LoopFunction {
-  std::vector<Step> steps;
+  std::vector<LoopStep> steps;
   std::vector<Mirror> mirrors = {};
   std::size_t memory = 0;                 // size of the function's own array
   std::vector<std::uint32_t> checks = {}; // per guard: the element of memory that must be nonzero
@@ -110,7 +110,7 @@ public:
   void carry(NodeId leaf, NodeId next) { leaves_[nodes_[leaf].slot()].next = next; }
 
   // `nest`: loop nest of the iterations, if known.
-  Step finish(std::uint32_t count, std::optional<Nest> const &nest = {});
+  LoopStep finish(std::uint32_t count, std::optional<Nest> const &nest = {});
 
 private:
   Graph const *graph_;

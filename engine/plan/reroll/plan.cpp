@@ -62,8 +62,8 @@ bool reads_arguments(Piece const &piece, Sequence const &sequence, std::vector<s
 }
 
 // `results`: per operation the results that the step stores directly.
-Step straight_step(Piece const &piece, Sequence const &sequence, Memory const &memory,
-                   std::map<NodeId, std::vector<std::uint32_t>> const &results) {
+LoopStep straight_step(Piece const &piece, Sequence const &sequence, Memory const &memory,
+                       std::map<NodeId, std::vector<std::uint32_t>> const &results) {
   BodyBuilder body(*sequence.graph);
   std::map<NodeId, NodeId> now;
   auto const value = [&](NodeId node) {
@@ -128,8 +128,8 @@ private:
 };
 
 // `loop`: its number in memory. `roles`: of its columns. `results`: those that the loop stores directly.
-Step loop_step(std::uint32_t loop, LoopBody const &plan, std::vector<Role> const &roles, Graph const &graph,
-               Memory const &memory, std::vector<LoopResult> const &results) {
+LoopStep loop_step(std::uint32_t loop, LoopBody const &plan, std::vector<Role> const &roles, Graph const &graph,
+                   Memory const &memory, std::vector<LoopResult> const &results) {
   BodyBuilder body(graph);
   std::vector<NodeId> leaves(plan.columns.size(), no_node), computed;
   Carried carried(body, memory);
@@ -192,9 +192,9 @@ public:
     memory_.lay_out(independent_loops());
     for (Piece const &piece : pieces_) {
       if (piece.loop != no_position) enter_chains(piece.loop, function.steps);
-      Step step = piece.loop == no_position ? straight_step(piece, sequence_, memory_, direct_.of_operation)
-                                            : loop_step(piece.loop, loops_[piece.loop], roles_[piece.loop],
-                                                        *sequence_.graph, memory_, direct_.of_loop[piece.loop]);
+      LoopStep step = piece.loop == no_position ? straight_step(piece, sequence_, memory_, direct_.of_operation)
+                                                : loop_step(piece.loop, loops_[piece.loop], roles_[piece.loop],
+                                                            *sequence_.graph, memory_, direct_.of_loop[piece.loop]);
       if (!step.stores.empty()) function.steps.push_back(std::move(step));
     }
     add_result_copies(*sequence_.graph, stored_, direct_.is_stored, memory_, function.steps);
@@ -253,7 +253,7 @@ private:
   }
 
   // Stores the initial values of chains before their rows.
-  void enter_chains(std::uint32_t loop, std::vector<Step> &steps) const {
+  void enter_chains(std::uint32_t loop, std::vector<LoopStep> &steps) const {
     Copies copies{{}, {}, false};
     for (auto const &[position, nodes] : entries_[loop])
       for (std::uint32_t chain = 0; chain < nodes.size(); ++chain) {

@@ -16,7 +16,7 @@ using Places = std::vector<std::uint32_t>; // of leaves
 // issued per cycle.
 constexpr double begun_meanwhile = 8;
 
-std::vector<char> depend_on(Step const &step, Places const &leaves) {
+std::vector<char> depend_on(LoopStep const &step, Places const &leaves) {
   Graph const &body = step.body;
   std::vector<char> depends(body.nodes.size(), 0);
   for (NodeId id = 0; id < body.nodes.size(); ++id) {
@@ -31,7 +31,7 @@ std::vector<char> depend_on(Step const &step, Places const &leaves) {
 // Paths from the leaves of one recurrence to their next values.
 class Paths {
 public:
-  Paths(Step const &step, Places const &leaves) : step_(step), leaves_(leaves) {
+  Paths(LoopStep const &step, Places const &leaves) : step_(step), leaves_(leaves) {
     std::vector<char> const after = depend_on(step, leaves);
     is_on_path_.assign(after.size(), 0);
     for (std::uint32_t const k : leaves) is_on_path_[step.leaves[k].next] = 1;
@@ -50,9 +50,9 @@ public:
     return high;
   }
 
-  Step shortened() const {
+  LoopStep shortened() const {
     Balance balance = this->balance(period());
-    Step other = step_;
+    LoopStep other = step_;
     other.body = regrouped(step_.body, [&](Group const &group, NodeTable &table) {
       return is_on_path_[group.end] ? std::optional(balance(group, table)) : std::nullopt;
     });
@@ -93,14 +93,14 @@ private:
     return longest;
   }
 
-  Step const &step_;
+  LoopStep const &step_;
   Places const &leaves_;
   std::vector<char> is_on_path_; // per node
 };
 
 } // namespace
 
-std::vector<Recurrence> recurrences(Step const &step) {
+std::vector<Recurrence> recurrences(LoopStep const &step) {
   Places carried;
   for (std::uint32_t k = 0; k < step.leaves.size(); ++k)
     if (step.leaves[k].kind == Leaf::Kind::carried) carried.push_back(k);
@@ -128,11 +128,11 @@ std::vector<Recurrence> recurrences(Step const &step) {
   return found;
 }
 
-Step with_short_recurrences(Step step) {
+LoopStep with_short_recurrences(LoopStep step) {
   if (step.count == 1) return step;
   for (auto const &[leaves, period] : recurrences(step)) {
     if (period * begun_meanwhile < algebra::cost_of(step.body, usual_costs())) continue;
-    Step other = Paths(step, leaves).shortened();
+    LoopStep other = Paths(step, leaves).shortened();
     if (Paths(other, leaves).period() < period &&
         algebra::cost_of(other.body, usual_costs()) <= algebra::cost_of(step.body, usual_costs()))
       step = std::move(other);

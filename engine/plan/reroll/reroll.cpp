@@ -26,7 +26,7 @@ std::string obstacle(Graph const &graph) {
 }
 
 // Whether rows of chains need no index table with an entry per iteration.
-bool is_short(reroll::Step const &step) {
+bool is_short(reroll::LoopStep const &step) {
   using reroll::Access, reroll::Leaf, reroll::Store;
   auto const fits = [&](Access const &access) { return !access.is_listed() || nested(access, *step.nest); };
   auto const is_short_leaf = [&](Leaf const &leaf) {
@@ -79,7 +79,7 @@ std::optional<reroll::LoopFunction> loops_of(std::function<reroll::Sequence()> c
 // Operation count of the generated code.
 std::size_t text_of(reroll::LoopFunction const &function) {
   std::size_t size = 0;
-  for (reroll::Step const &step : function.steps) {
+  for (reroll::LoopStep const &step : function.steps) {
     OperationCounts const counts = live_operations(step.body);
     size += counts.arithmetic() + counts.calls();
   }
@@ -125,7 +125,7 @@ OperationCounts executed_operations(Schedule const &plan, Rerolled const &loops)
   for (Op const op : {Op::sin, Op::cos}) counts[op] += plan.angles.size();
   for (auto const *function : {&loops.compute, &loops.computed_angles}) {
     if (!*function) continue;
-    for (reroll::Step const &step : (*function)->steps) {
+    for (reroll::LoopStep const &step : (*function)->steps) {
       OperationCounts const body = live_operations(step.body);
       for (OperationInfo const &operation : operations()) counts[operation.op] += step.count * body[operation.op];
     }

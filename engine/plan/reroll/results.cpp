@@ -214,7 +214,7 @@ DirectResults direct_results(Sequence const &sequence, std::vector<LoopBody> con
   return results;
 }
 
-void add_copies(Graph const &graph, Copies const &copies, Memory const &memory, std::vector<Step> &steps) {
+void add_copies(Graph const &graph, Copies const &copies, Memory const &memory, std::vector<LoopStep> &steps) {
   constexpr std::size_t most_stores = 500;
   std::vector<char> done(copies.nodes.size(), 0);
   std::map<std::pair<std::size_t, std::optional<Nest>>, std::vector<CopyLine>> loops; // by iteration count
@@ -250,7 +250,7 @@ void add_copies(Graph const &graph, Copies const &copies, Memory const &memory, 
 }
 
 void add_result_copies(Graph const &graph, std::vector<NodeId> const &stored, std::vector<char> const &done,
-                       Memory const &memory, std::vector<Step> &steps) {
+                       Memory const &memory, std::vector<LoopStep> &steps) {
   Copies copies{{}, {}, true};
   for (std::uint32_t slot = 0; slot < stored.size(); ++slot) {
     if (done[slot]) continue;

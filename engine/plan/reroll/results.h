@@ -41,10 +41,10 @@ struct Copies {
 };
 
 // Adds the copies; as loops where sources and targets advance by constant steps.
-void add_copies(Graph const &graph, Copies const &copies, Memory const &memory, std::vector<Step> &steps);
+void add_copies(Graph const &graph, Copies const &copies, Memory const &memory, std::vector<LoopStep> &steps);
 
 // Adds the last steps of a function. `done`: per result whether a step, or a mirror, stores it.
 void add_result_copies(Graph const &graph, std::vector<NodeId> const &stored, std::vector<char> const &done,
-                       Memory const &memory, std::vector<Step> &steps);
+                       Memory const &memory, std::vector<LoopStep> &steps);
 
 } // namespace symreal::reroll

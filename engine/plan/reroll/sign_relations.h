@@ -27,9 +27,9 @@ inline Pattern product(Pattern a, Pattern const &b) {
 // The body of a step whose values may be negated, per iteration.
 class SignedBody {
 public:
-  SignedBody(Step const &step, std::uint32_t first) : step_(&step), first_(first) {}
+  SignedBody(LoopStep const &step, std::uint32_t first) : step_(&step), first_(first) {}
 
-  Step const &step() const { return *step_; }
+  LoopStep const &step() const { return *step_; }
   std::uint32_t count() const { return step_->count; }
   NodeId size() const { return static_cast<NodeId>(step_->body.nodes.size()); }
   Node const &node(NodeId id) const { return step_->body.nodes[id]; }
@@ -75,7 +75,7 @@ public:
   }
 
 private:
-  Step const *step_;
+  LoopStep const *step_;
   std::uint32_t first_;
 };
 

@@ -29,7 +29,7 @@ public:
         now_(body.size()) {}
 
   std::size_t columns() const { return columns_.size(); }
-  Step step() {
+  LoopStep step() {
     for (NodeId id = 0; id < body_.size(); ++id)
       if (!body_.is_number(id)) now_[id] = body_.leaf(id) ? Now{builder_.leaf(*body_.leaf(id))} : operation(id);
     for (std::size_t s = 0; s < body_.step().stores.size(); ++s) {
@@ -160,18 +160,18 @@ private:
 
 // Loops share tables with equal entries, so the largest magnitude of a column is made positive where that takes no
 // extra operation.
-Step with_positive_columns(SignedBody const &body, SignRelations const &signs) {
+LoopStep with_positive_columns(SignedBody const &body, SignRelations const &signs) {
   constexpr std::size_t most_work = 100'000'000; // columns times their values
   SignRewriter plain(body, signs, {});
-  Step best = plain.step();
+  LoopStep best = plain.step();
   std::vector<char> positive(plain.columns(), 1);
-  Step all = SignRewriter(body, signs, positive).step();
+  LoopStep all = SignRewriter(body, signs, positive).step();
   if (operations_of(all) <= operations_of(best)) return all;
   if (positive.size() * body.size() * body.count() > most_work) return best;
   std::ranges::fill(positive, 0);
   for (char &column : positive) {
     column = 1;
-    Step other = SignRewriter(body, signs, positive).step();
+    LoopStep other = SignRewriter(body, signs, positive).step();
     if (operations_of(other) <= operations_of(best))
       best = std::move(other);
     else
@@ -180,9 +180,9 @@ Step with_positive_columns(SignedBody const &body, SignRelations const &signs) {
   return best;
 }
 
-std::size_t operations_in(std::vector<Step> const &steps) {
+std::size_t operations_in(std::vector<LoopStep> const &steps) {
   std::size_t count = 0;
-  for (Step const &step : steps) count += operations_of(step);
+  for (LoopStep const &step : steps) count += operations_of(step);
   return count;
 }
 
@@ -190,9 +190,9 @@ std::size_t operations_in(std::vector<Step> const &steps) {
 
 LoopFunction with_few_signs(LoopFunction function) {
   std::vector<SignedBody> bodies;
-  for (Step const &step : function.steps) bodies.emplace_back(step, bodies.empty() ? 1 : bodies.back().end());
+  for (LoopStep const &step : function.steps) bodies.emplace_back(step, bodies.empty() ? 1 : bodies.back().end());
   SignRelations const signs(bodies, function.memory);
-  std::vector<Step> steps;
+  std::vector<LoopStep> steps;
   for (SignedBody const &body : bodies) steps.push_back(with_positive_columns(body, signs));
   if (operations_in(steps) <= operations_in(function.steps)) function.steps = std::move(steps);
   return function;

@@ -21,29 +21,29 @@ public:
         first_(chunks.begin[chunk]),
         variables_(chunks.begin[chunk + 1] - first_) {}
 
-  std::vector<Step> run() {
+  std::vector<BlockStep> run() {
     std::vector<std::size_t> const last_stores = place_stores();
     auto check = std::partition_point(body_.checks.begin(), body_.checks.end(),
                                       [&](Check const &one) { return chunks_.of_check(one) < chunk_; });
     for (std::size_t k = first_; k <= first_ + variables_.size(); ++k) {
       for (; check != body_.checks.end() && check->before == k && chunks_.of_check(*check) == chunk_; ++check) {
         move_to({});
-        steps_.push_back({Step::Kind::check, static_cast<std::size_t>(check - body_.checks.begin())});
+        steps_.push_back({BlockStep::Kind::check, static_cast<std::size_t>(check - body_.checks.begin())});
         note_read(check->condition);
       }
       if (k == first_ + variables_.size()) break;
       move_to(body_.regions.literals(body_.region[k]));
       for_each_operand(plan_, body_, in_compute_, body_.variables[k], [&](NodeId id) { note_read(id); });
       variables_[k - first_].block = open_.empty() ? never : open_.back().id;
-      steps_.push_back({Step::Kind::set, k});
+      steps_.push_back({BlockStep::Kind::set, k});
     }
     move_to({});
     for (std::size_t const result : last_stores) note_read(body_.results[result]);
-    std::vector<Step> steps = with_declarations();
+    std::vector<BlockStep> steps = with_declarations();
     Stores const &stores = chunks_.stores;
     for (std::size_t k = 0; chunk_ == stores.first_chunk && k < stores.copied.size(); ++k)
-      steps.push_back({Step::Kind::copy, k});
-    for (std::size_t const result : last_stores) steps.push_back({Step::Kind::store, result});
+      steps.push_back({BlockStep::Kind::copy, k});
+    for (std::size_t const result : last_stores) steps.push_back({BlockStep::Kind::store, result});
     return steps;
   }
 
@@ -87,7 +87,7 @@ private:
       if (is_wanted(opposite) && !open_.back().is_else) { // an if has a single else: another c needs a new if
         std::erase(wanted, opposite);
         ends_[open_.back().id] = steps_.size();
-        steps_.push_back({Step::Kind::otherwise, 0, opposite});
+        steps_.push_back({BlockStep::Kind::otherwise, 0, opposite});
         open_.back() = {opposite, ends_.size(), true};
         ends_.push_back(never);
       } else {
@@ -96,7 +96,7 @@ private:
     }
     for (Literal const &literal : wanted) {
       note_read(literal.condition);
-      steps_.push_back({Step::Kind::open, 0, literal});
+      steps_.push_back({BlockStep::Kind::open, 0, literal});
       open_.push_back({literal, ends_.size()});
       ends_.push_back(never);
     }
@@ -104,7 +104,7 @@ private:
 
   void close() {
     ends_[open_.back().id] = steps_.size();
-    steps_.push_back({Step::Kind::close});
+    steps_.push_back({BlockStep::Kind::close});
     open_.pop_back();
   }
 
@@ -131,25 +131,25 @@ private:
   bool is_kept(std::size_t statement) const { return chunks_.spill_slot[body_.variables[statement]] != no_slot; }
 
   // Adds declarations; spilled variables are declared before, and stored behind, the outermost block.
-  std::vector<Step> with_declarations() {
-    std::vector<Step> result;
+  std::vector<BlockStep> with_declarations() {
+    std::vector<BlockStep> result;
     for (std::size_t at = 0; at < steps_.size();) {
       std::size_t const end = group_end(at);
-      std::vector<Step> behind;
+      std::vector<BlockStep> behind;
       for (std::size_t i = at; i < end; ++i) {
-        if (steps_[i].kind != Step::Kind::set) continue;
+        if (steps_[i].kind != BlockStep::Kind::set) continue;
         Variable &variable = variables_[steps_[i].index - first_];
         if (variable.block == never) continue;
         std::size_t const count = behind.size();
         push_stores(steps_[i].index, behind);
         variable.read_outside |= behind.size() != count;
-        if (variable.read_outside) result.push_back({Step::Kind::declare, steps_[i].index});
+        if (variable.read_outside) result.push_back({BlockStep::Kind::declare, steps_[i].index});
       }
       for (std::size_t i = at; i < end; ++i) {
         result.push_back(steps_[i]);
-        if (steps_[i].kind != Step::Kind::set) continue;
+        if (steps_[i].kind != BlockStep::Kind::set) continue;
         Variable const &variable = variables_[steps_[i].index - first_];
-        if (!variable.read_outside) result.back().kind = Step::Kind::set_const;
+        if (!variable.read_outside) result.back().kind = BlockStep::Kind::set_const;
         if (variable.block == never) push_stores(steps_[i].index, result);
       }
       result.insert(result.end(), behind.begin(), behind.end());
@@ -159,18 +159,18 @@ private:
   }
 
   // Adds the steps that store the value of a statement.
-  void push_stores(std::size_t statement, std::vector<Step> &steps) const {
-    if (is_kept(statement)) steps.push_back({Step::Kind::keep, statement});
+  void push_stores(std::size_t statement, std::vector<BlockStep> &steps) const {
+    if (is_kept(statement)) steps.push_back({BlockStep::Kind::keep, statement});
     for (std::size_t const result : variables_[statement - first_].results)
-      steps.push_back({Step::Kind::store, result});
+      steps.push_back({BlockStep::Kind::store, result});
   }
 
   // End of the group at `at`: one step outside all blocks, or one outermost block.
   std::size_t group_end(std::size_t at) const {
     std::size_t depth = 0;
     do {
-      if (steps_[at].kind == Step::Kind::open) ++depth;
-      if (steps_[at].kind == Step::Kind::close) --depth;
+      if (steps_[at].kind == BlockStep::Kind::open) ++depth;
+      if (steps_[at].kind == BlockStep::Kind::close) --depth;
       ++at;
     } while (depth != 0);
     return at;
@@ -182,15 +182,15 @@ private:
   Chunks const &chunks_;
   std::size_t chunk_, first_;
   std::vector<Variable> variables_; // of this chunk, in order
-  std::vector<Step> steps_;
+  std::vector<BlockStep> steps_;
   std::vector<Open> open_;
   std::vector<std::size_t> ends_; // per block: the step that ends it, or never
 };
 
 } // namespace
 
-std::vector<Step> blocks(Schedule const &plan, FunctionBody const &body, bool in_compute, Chunks const &chunks,
-                         std::size_t chunk) {
+std::vector<BlockStep> blocks(Schedule const &plan, FunctionBody const &body, bool in_compute, Chunks const &chunks,
+                              std::size_t chunk) {
   return Blocks(plan, body, in_compute, chunks, chunk).run();
 }
 

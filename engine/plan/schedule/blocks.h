@@ -8,7 +8,7 @@
 
 namespace symreal {
 
-struct Step {
+struct BlockStep {
   enum class Kind {
     declare,   // variable `index`, set in a block and read outside
     open,      // a block: if (literal)
@@ -25,7 +25,7 @@ struct Step {
   Literal literal = {};
 };
 
-std::vector<Step> blocks(Schedule const &plan, FunctionBody const &body, bool in_compute, Chunks const &chunks,
-                         std::size_t chunk);
+std::vector<BlockStep> blocks(Schedule const &plan, FunctionBody const &body, bool in_compute, Chunks const &chunks,
+                              std::size_t chunk);
 
 } // namespace symreal

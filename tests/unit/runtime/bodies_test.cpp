@@ -16,7 +16,7 @@ namespace {
 using Builder = test::GraphBuilder;
 using reroll::Leaf;
 using reroll::LoopFunction;
-using reroll::Step;
+using reroll::LoopStep;
 
 Graph by_passes(Graph graph, bool) { return run_passes(std::move(graph), default_passes(), {FloatingPoint::fast, 1}); }
 
@@ -24,8 +24,8 @@ struct Looped {
   Schedule plan;
   LoopFunction compute;
 
-  Step const &loop() const {
-    return *std::ranges::max_element(compute.steps, {}, [](Step const &step) { return step.count; });
+  LoopStep const &loop() const {
+    return *std::ranges::max_element(compute.steps, {}, [](LoopStep const &step) { return step.count; });
   }
   std::size_t operations() const { return reroll::operations_of(loop().body); }
   std::size_t leaves(Leaf::Kind kind) const {

@@ -17,7 +17,7 @@ using Builder = test::GraphBuilder;
 using reroll::Block;
 using reroll::Leaf;
 using reroll::LoopFunction;
-using reroll::Step;
+using reroll::LoopStep;
 using reroll::Storage;
 
 constexpr std::uint32_t count = 40; // of chains
@@ -53,7 +53,7 @@ LoopFunction compute_of(Graph const &graph, FloatingPoint mode = FloatingPoint::
 }
 
 bool any_leaf(LoopFunction const &function, Leaf::Kind kind) {
-  return std::ranges::any_of(function.steps, [&](Step const &step) {
+  return std::ranges::any_of(function.steps, [&](LoopStep const &step) {
     return step.count > 1 && std::ranges::any_of(step.leaves, [&](Leaf const &leaf) { return leaf.kind == kind; });
   });
 }
@@ -64,7 +64,7 @@ TEST(Interchange, StagesOfAllChainsAreRows) {
   EXPECT_GT(function.in_loops, function.operations * 9 / 10);
   EXPECT_FALSE(any_leaf(function, Leaf::Kind::carried));
   EXPECT_FALSE(any_leaf(function, Leaf::Kind::values));
-  auto const rows = std::ranges::find_if(function.steps, [](Step const &step) { return step.nest.has_value(); });
+  auto const rows = std::ranges::find_if(function.steps, [](LoopStep const &step) { return step.nest.has_value(); });
   ASSERT_NE(rows, function.steps.end());
   EXPECT_EQ(rows->nest->growth, 1);
   EXPECT_GE(rows->nest->turns, 35);
@@ -78,7 +78,7 @@ TEST(Interchange, WhereSomebodyLooksBackEachStageIsALoop) {
   EXPECT_FALSE(any_leaf(function, Leaf::Kind::values));
   // Where compilers may carry out iterations at the same time, neighbours stand beside each other.
   auto const is_one = [](auto const &element) { return element.access.step == 1; };
-  auto const stores_beside = [&](Step const &step) {
+  auto const stores_beside = [&](LoopStep const &step) {
     return reroll::operations_of(step.body) >= 6 && std::ranges::all_of(step.stores, is_one);
   };
   EXPECT_GE(std::ranges::count_if(function.steps, stores_beside), 30);

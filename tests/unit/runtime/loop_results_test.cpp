@@ -12,7 +12,7 @@ namespace {
 
 using Builder = test::GraphBuilder;
 using reroll::LoopFunction;
-using reroll::Step;
+using reroll::LoopStep;
 using reroll::Store;
 
 constexpr std::uint32_t rows = 20;
@@ -55,15 +55,15 @@ LoopFunction compute_of(Graph const &graph) {
   return *loops.compute;
 }
 
-bool stores_results(Step const &step) { return std::ranges::any_of(step.stores, &Store::is_result); }
+bool stores_results(LoopStep const &step) { return std::ranges::any_of(step.stores, &Store::is_result); }
 
-bool computes(Step const &step) {
+bool computes(LoopStep const &step) {
   return std::ranges::any_of(step.body.nodes, [](Node const &node) { return !is_leaf(node.op); });
 }
 
 bool a_loop_stores_results(LoopFunction const &function) {
-  return std::ranges::any_of(function.steps,
-                             [](Step const &step) { return step.count > 1 && computes(step) && stores_results(step); });
+  return std::ranges::any_of(
+      function.steps, [](LoopStep const &step) { return step.count > 1 && computes(step) && stores_results(step); });
 }
 
 TEST(LoopResults, LoopsStoreThemBehindTheLastInput) {

@@ -22,7 +22,7 @@ inline std::vector<double> angles_of(Schedule const &plan, std::vector<double> c
 inline std::vector<double> run(reroll::LoopFunction const &function, std::vector<double> const &angles,
                                std::vector<double> const &inputs, std::size_t results) {
   std::vector<double> memory(function.memory), output(results);
-  for (reroll::Step const &step : function.steps) {
+  for (reroll::LoopStep const &step : function.steps) {
     std::vector<double> leaves(step.leaves.size());
     for (std::uint32_t k = 0; k < step.count; ++k) {
       for (std::size_t i = 0; i < leaves.size(); ++i) {

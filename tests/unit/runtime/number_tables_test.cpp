@@ -10,11 +10,11 @@ namespace symreal {
 namespace {
 
 using reroll::Leaf;
-using reroll::Step;
+using reroll::LoopStep;
 using Column = std::vector<double>;
 
-Step step_of(std::uint32_t count, std::vector<Column> const &columns) {
-  Step step{.body = {}, .count = count};
+LoopStep step_of(std::uint32_t count, std::vector<Column> const &columns) {
+  LoopStep step{.body = {}, .count = count};
   for (Column const &column : columns) {
     step.leaves.push_back({Leaf::Kind::memory, {0, 1}});
     step.leaves.push_back({Leaf::Kind::values, {}, column});
@@ -45,7 +45,7 @@ double number(NumberTables const &numbers, std::size_t step, std::size_t leaf, s
 }
 
 // The number of tables, when all numbers are right.
-std::size_t tables_of(std::vector<Step> const &steps) {
+std::size_t tables_of(std::vector<LoopStep> const &steps) {
   NumberTables const numbers(steps);
   for (std::size_t s = 0; s < steps.size(); ++s)
     for (std::size_t leaf = 0; leaf < steps[s].leaves.size(); ++leaf)
@@ -116,7 +116,7 @@ TEST(NumberTables, HoldTheNumbersOfAnySteps) {
     std::vector<Column> columns(1 + below(4), Column(3 + below(12)));
     for (Column &column : columns)
       for (double &value : column) value = static_cast<double>(below(4)) - 1;
-    std::vector<Step> steps;
+    std::vector<LoopStep> steps;
     for (std::size_t s = 0; s < 2 + below(3); ++s) {
       std::size_t const first = below(3);
       bool const is_backwards = below(2) == 0, is_cyclic = below(2) == 0;

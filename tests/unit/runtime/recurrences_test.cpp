@@ -15,7 +15,7 @@ namespace {
 
 using Builder = test::GraphBuilder;
 using reroll::LoopFunction;
-using reroll::Step;
+using reroll::LoopStep;
 
 // The graph as loops and with short recurrences, which give the same values.
 struct Loops {
@@ -26,7 +26,7 @@ struct Loops {
     std::optional<LoopFunction> const found = rerolled(plan, FloatingPoint::fast).compute;
     EXPECT_TRUE(found);
     plain = shortened = found.value_or(LoopFunction());
-    for (Step &step : shortened.steps) step = with_short_recurrences(step);
+    for (LoopStep &step : shortened.steps) step = with_short_recurrences(step);
     std::vector<double> inputs;
     for (std::size_t k = 0; k < graph.input_count(); ++k) inputs.push_back(std::sin(1.0 + static_cast<double>(k * k)));
     std::size_t const count = graph.results.size();
@@ -34,8 +34,8 @@ struct Loops {
     for (std::size_t k = 0; k < count; ++k) EXPECT_NEAR(a[k], b[k], 1e-13 * std::max(1.0, std::abs(a[k])));
   }
 
-  static Step const &loop(LoopFunction const &function) {
-    return *std::ranges::max_element(function.steps, {}, &Step::count);
+  static LoopStep const &loop(LoopFunction const &function) {
+    return *std::ranges::max_element(function.steps, {}, &LoopStep::count);
   }
 };
 

@@ -12,7 +12,7 @@ namespace {
 using Builder = test::GraphBuilder;
 using reroll::Leaf;
 using reroll::LoopFunction;
-using reroll::Step;
+using reroll::LoopStep;
 
 LoopFunction compute_of(Graph const &graph) {
   Rerolled const loops = rerolled(schedule(graph), FloatingPoint::strict);
@@ -20,12 +20,12 @@ LoopFunction compute_of(Graph const &graph) {
   return loops.compute.value_or(LoopFunction());
 }
 
-Step const &longest(LoopFunction const &function) {
+LoopStep const &longest(LoopFunction const &function) {
   return *std::ranges::max_element(function.steps, {},
-                                   [](Step const &step) { return step.count * step.body.nodes.size(); });
+                                   [](LoopStep const &step) { return step.count * step.body.nodes.size(); });
 }
 
-std::vector<Leaf> leaves_of(Step const &step, Leaf::Kind kind) {
+std::vector<Leaf> leaves_of(LoopStep const &step, Leaf::Kind kind) {
   std::vector<Leaf> found;
   std::ranges::copy_if(step.leaves, std::back_inserter(found), [&](Leaf const &leaf) { return leaf.kind == kind; });
   return found;
@@ -44,7 +44,7 @@ Graph filter(std::uint32_t samples) {
 TEST(Reroll, AFilterCarriesItsState) {
   LoopFunction const function = compute_of(filter(100));
   EXPECT_EQ(function.loops, 1);
-  Step const &loop = longest(function);
+  LoopStep const &loop = longest(function);
   EXPECT_GE(loop.count, 95);
   EXPECT_EQ(leaves_of(loop, Leaf::Kind::carried).size(), 1);
   std::vector<Leaf> const given = leaves_of(loop, Leaf::Kind::given);
@@ -61,7 +61,7 @@ TEST(Reroll, AFilterOfSecondOrderReadsNoStateFromMemory) {
     NodeId const sum = make(Op::add, make.input(k), make(Op::mul, y[k - 1], make.number(0.5)));
     y.push_back(make(Op::sub, sum, make(Op::mul, y[k - 2], make.number(0.25))));
   }
-  Step const loop = longest(compute_of(make.finish(y)));
+  LoopStep const loop = longest(compute_of(make.finish(y)));
   EXPECT_EQ(leaves_of(loop, Leaf::Kind::carried).size(), 2);
   EXPECT_TRUE(leaves_of(loop, Leaf::Kind::memory).empty());
   ASSERT_EQ(loop.stores.size(), 1);
@@ -95,7 +95,7 @@ TEST(Reroll, TermsComputeWhatTheyShare) {
 
 TEST(Reroll, ASumOverwritesTheOneBefore) {
   LoopFunction const function = compute_of(two_series(100));
-  Step const &loop = longest(function);
+  LoopStep const &loop = longest(function);
   ASSERT_EQ(loop.stores.size(), 1);
   EXPECT_EQ(loop.stores[0].access.step, 0);
   EXPECT_LT(function.memory, 10);
@@ -127,7 +127,7 @@ TEST(Reroll, CoefficientsAreATable) {
   NodeId sum = make.input(0);
   NodeId const x = make.input(1);
   for (int k = 0; k < 60; ++k) sum = make(Op::add, make(Op::mul, sum, x), make.number(1 + k * k));
-  Step const loop = longest(compute_of(make.finish({sum})));
+  LoopStep const loop = longest(compute_of(make.finish({sum})));
   EXPECT_GE(loop.count, 55);
   std::vector<Leaf> const values = leaves_of(loop, Leaf::Kind::values);
   ASSERT_EQ(values.size(), 1);
@@ -148,7 +148,7 @@ TEST(Reroll, ASignGoesIntoAConstant) {
   NodeId sum = make.input(0);
   for (std::uint32_t k = 0; k < 60; ++k)
     sum = make(k * k % 7 < 3 ? Op::add : Op::sub, sum, make(Op::mul, make.input(k), make.number(2 + k)));
-  Step const loop = longest(compute_of(make.finish({sum})));
+  LoopStep const loop = longest(compute_of(make.finish({sum})));
   ASSERT_EQ(leaves_of(loop, Leaf::Kind::values).size(), 1);
   std::vector<double> const values = leaves_of(loop, Leaf::Kind::values)[0].values;
   EXPECT_TRUE(std::ranges::any_of(values, [](double value) { return value < 0; }));
@@ -200,7 +200,7 @@ TEST(Reroll, ASecondSweepReadsBackwards) {
   LoopFunction const function = compute_of(make.finish(results));
   EXPECT_EQ(function.loops, 2);
   std::size_t backwards = 0;
-  for (Step const &step : function.steps)
+  for (LoopStep const &step : function.steps)
     for (Leaf const &leaf : step.leaves) {
       EXPECT_FALSE(leaf.access.is_listed());
       backwards += leaf.kind == Leaf::Kind::memory && leaf.access.step < 0;
@@ -215,7 +215,7 @@ TEST(Reroll, IterationsFurtherBackAreRecords) {
   for (std::uint32_t k = 0; k < 5; ++k) y.push_back(make(Op::sin, make.input(k)));
   for (std::uint32_t k = 5; k < 60; ++k)
     y.push_back(make(Op::add, make(Op::mul, y[k - 1], make.input(k)), make(Op::mul, y[k - 5], make.number(0.5))));
-  Step const loop = longest(compute_of(make.finish({y.back()})));
+  LoopStep const loop = longest(compute_of(make.finish({y.back()})));
   EXPECT_GE(loop.count, 50);
   EXPECT_EQ(leaves_of(loop, Leaf::Kind::memory).size(), 1);
 }
@@ -227,7 +227,7 @@ TEST(Reroll, AnIrregularOrderIsAList) {
   NodeId sum = make.input(0);
   for (std::uint32_t k = 0; k < 64; ++k) sum = make(Op::add, make(Op::mul, sum, make.number(0.5)), first[k * k % 61]);
   LoopFunction const function = compute_of(make.finish({sum}));
-  EXPECT_TRUE(std::ranges::any_of(function.steps, [](Step const &step) {
+  EXPECT_TRUE(std::ranges::any_of(function.steps, [](LoopStep const &step) {
     return std::ranges::any_of(step.leaves, [](Leaf const &leaf) { return leaf.access.is_listed(); });
   }));
 }

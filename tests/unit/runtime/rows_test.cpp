@@ -11,7 +11,7 @@ namespace symreal {
 namespace {
 
 using reroll::LoopFunction;
-using reroll::Step;
+using reroll::LoopStep;
 
 // Chain i goes through the stages from i to 0, or from i to the last one. A stage computes a new state from that of the
 // stage before, with inputs and numbers of its own.
@@ -74,7 +74,7 @@ private:
 };
 
 bool has_rows(LoopFunction const &function) {
-  return std::ranges::any_of(function.steps, [](Step const &step) { return step.nest.has_value(); });
+  return std::ranges::any_of(function.steps, [](LoopStep const &step) { return step.nest.has_value(); });
 }
 
 TEST(Rows, OfRandomChainsComputeTheResults) {

@@ -5,8 +5,8 @@
 namespace symreal::reroll {
 namespace {
 
-Step storing(std::vector<Access> const &accesses) {
-  Step step{{}, 20};
+LoopStep storing(std::vector<Access> const &accesses) {
+  LoopStep step{{}, 20};
   for (Access const &access : accesses) step.stores.push_back({0, false, access});
   return step;
 }
@@ -17,13 +17,13 @@ TEST(SideBySide, StoresOfOneIterationMustNotBeNeighbours) {
   EXPECT_TRUE(is_side_by_side(storing({{0, 2}, {40, 2}})));
   EXPECT_FALSE(is_side_by_side(storing({{0, 2}, {1, 2}})));
   EXPECT_FALSE(is_side_by_side(storing({{41, -8}, {47, -8}})));
-  Step step = storing({{0, 2}});
+  LoopStep step = storing({{0, 2}});
   step.stores.push_back({0, true, {1, 2}}); // of another array
   EXPECT_TRUE(is_side_by_side(step));
 }
 
 TEST(SideBySide, NoIterationMayWaitForAnotherOne) {
-  Step step = storing({{0, 1}});
+  LoopStep step = storing({{0, 1}});
   step.leaves.push_back({Leaf::Kind::memory, {5, 1}});
   EXPECT_TRUE(is_side_by_side(step));
   step.leaves.push_back({Leaf::Kind::carried, {3}});
@@ -44,7 +44,7 @@ TEST(SideBySide, ShortLoopsInLoopsAreUnrolled) {
     for (std::uint32_t i = 0; i < nest.turns; ++i)
       for (std::int64_t j = 0; j < nest.inner + nest.growth * std::int64_t{i}; ++j)
         access.elements.push_back(static_cast<std::uint32_t>(100 * i + j));
-    Step step = storing({access});
+    LoopStep step = storing({access});
     step.count = static_cast<std::uint32_t>(access.elements.size());
     return step;
   };
@@ -55,7 +55,7 @@ TEST(SideBySide, ShortLoopsInLoopsAreUnrolled) {
 }
 
 TEST(SideBySide, WhatIsComputedOnceIsNoLoop) {
-  Step step = storing({{0}});
+  LoopStep step = storing({{0}});
   step.count = 1;
   EXPECT_FALSE(is_side_by_side(step));
 }

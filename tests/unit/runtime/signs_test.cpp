@@ -15,9 +15,11 @@ namespace {
 using Builder = test::GraphBuilder;
 using reroll::Leaf;
 using reroll::LoopFunction;
-using reroll::Step;
+using reroll::LoopStep;
 
-Step const &loop(LoopFunction const &function) { return *std::ranges::max_element(function.steps, {}, &Step::count); }
+LoopStep const &loop(LoopFunction const &function) {
+  return *std::ranges::max_element(function.steps, {}, &LoopStep::count);
+}
 
 // The loops of the graph with few signs, which compute what the graph does. Sums of opposite numbers aside the values
 // are the same; those are compared with ==, which takes -0 for 0.
@@ -73,7 +75,7 @@ TEST(Signs, GoThroughMemory) {
   LoopFunction const function = with_few_signs(graph);
   EXPECT_EQ(function.loops, 2);
   std::size_t operations = 0;
-  for (Step const &step : function.steps)
+  for (LoopStep const &step : function.steps)
     if (step.count > 1) operations += reroll::operations_of(step.body);
   EXPECT_EQ(operations, 5);
 }
@@ -94,7 +96,7 @@ TEST(Signs, OfTablesAreThoseThatLoopsCanShare) {
   LoopFunction const function = with_few_signs(make.finish({z}));
   EXPECT_EQ(function.loops, 2);
   std::size_t tables = 0;
-  for (Step const &step : function.steps)
+  for (LoopStep const &step : function.steps)
     for (Leaf const &leaf : step.leaves) {
       if (leaf.kind != Leaf::Kind::values) continue;
       ++tables;
