@@ -2,12 +2,10 @@
 
 #include "engine/graph/names.h"
 #include "engine/support/number.h"
-#include "tool/report/verification_record.h"
 
 #include <algorithm>
 #include <fmt/format.h>
 #include <fmt/ostream.h>
-#include <nlohmann/json.hpp>
 #include <span>
 #include <tuple>
 
@@ -16,14 +14,8 @@ namespace {
 
 using Element = program::DerivativeElement;
 using Result = program::DerivativeResult;
-using Json = nlohmann::ordered_json;
 
 std::size_t first_of(Result const &result, Object const &object) { return object.first - result.objects.front().first; }
-
-std::string name_of(Result const &result, std::size_t k) {
-  std::size_t const slot = result.objects.front().first + k;
-  return element_name(result.objects, static_cast<std::uint32_t>(slot)).value_or("element " + std::to_string(k));
-}
 
 // The element with the largest error; one that differs comes first.
 std::size_t worst_of(Result const &result, Object const &object) {
@@ -72,13 +64,12 @@ std::optional<Diagnostic> off_formulas(Result const &result, std::string const &
                               number_list(broken->first_broken->inputs)));
 }
 
-Json sample_json(Sample const &sample) {
-  return {{"inputs", numbers_json(sample.inputs)}, {"parameters", numbers_json(sample.parameters)}};
-}
-
-Sample sample_of(Json const &json) { return {numbers_of(json.at("inputs")), numbers_of(json.at("parameters"))}; }
-
 } // namespace
+
+std::string name_of(Result const &result, std::size_t k) {
+  std::size_t const slot = result.objects.front().first + k;
+  return element_name(result.objects, static_cast<std::uint32_t>(slot)).value_or("element " + std::to_string(k));
+}
 
 std::string number_list(std::vector<double> const &values) {
   constexpr std::size_t most = 16;
@@ -102,72 +93,6 @@ void print_derivatives(std::ostream &out, Result const &result) {
   if (result.left_out != 0)
     fmt::print(out, "  derivatives are compared on {} of {} samples, as many as their size allows\n", result.tried,
                result.tried + result.left_out);
-}
-
-Json to_json(Result const &result) {
-  Json json = {{"samples", result.tried},
-               {"samples_compared_with_formulas", result.promised},
-               {"samples_left_out", result.left_out},
-               {"tolerance", result.tolerance},
-               {"objects", Json::array()},
-               {"elements", Json::array()}};
-  for (Object const &object : result.objects)
-    json["objects"].push_back({{"label", object.label}, {"extents", object.extents}});
-  for (std::size_t k = 0; k < result.elements.size(); ++k) {
-    Element const &element = result.elements[k];
-    json["elements"].push_back({{"name", name_of(result, k)},
-                                {"judged", element.judged},
-                                {"different", element.different},
-                                {"different_from_formulas", element.broken},
-                                {"worst_error_by_allowed", number_json(element.error)}});
-    if (element.different != 0)
-      json["elements"].back()["worst"] = {{"by_differences", element.is_by_differences},
-                                          {"expected", number_json(element.expected)},
-                                          {"found", number_json(element.found)},
-                                          {"sample", sample_json(*element.worst)}};
-    if (element.broken != 0)
-      json["elements"].back()["off_formulas"] = {{"expected", number_json(element.promised)},
-                                                 {"found", number_json(element.given)},
-                                                 {"sample", sample_json(*element.first_broken)}};
-  }
-  return json;
-}
-
-Result derivatives_of(Json const &json, std::size_t outputs) {
-  Result result;
-  result.tried = json.at("samples");
-  result.promised = json.at("samples_compared_with_formulas");
-  result.left_out = json.at("samples_left_out");
-  result.tolerance = json.at("tolerance");
-  auto next = static_cast<std::uint32_t>(outputs);
-  for (Json const &one : json.at("objects")) {
-    Object object{one.at("label"), one.at("extents").get<std::vector<std::size_t>>(), next};
-    object.count = static_cast<std::uint32_t>(number_count(object.extents, {}));
-    next += object.count;
-    result.objects.push_back(std::move(object));
-  }
-  for (Json const &one : json.at("elements")) {
-    Element &element = result.elements.emplace_back();
-    element.judged = one.at("judged");
-    element.different = one.at("different");
-    element.broken = one.at("different_from_formulas");
-    element.error = number_of(one.at("worst_error_by_allowed"));
-    if (one.contains("worst")) {
-      Json const &worst = one["worst"];
-      element.is_by_differences = worst.at("by_differences");
-      element.expected = number_of(worst.at("expected"));
-      element.found = number_of(worst.at("found"));
-      element.worst = std::make_shared<Sample const>(sample_of(worst.at("sample")));
-    }
-    if (one.contains("off_formulas")) {
-      Json const &broken = one["off_formulas"];
-      element.promised = number_of(broken.at("expected"));
-      element.given = number_of(broken.at("found"));
-      element.first_broken = std::make_shared<Sample const>(sample_of(broken.at("sample")));
-    }
-  }
-  if (result.objects.empty() || result.elements.size() + outputs != next) throw std::invalid_argument("no derivatives");
-  return result;
 }
 
 std::optional<Diagnostic> derivative_failure(Result const &result, std::string const &file, bool is_whole) {

@@ -1,6 +1,7 @@
 #include "tool/report/verification_record.h"
 
 #include "engine/support/files.h"
+#include "tool/report/json_fields.h"
 
 #include <algorithm>
 #include <fmt/format.h>

@@ -26,12 +26,6 @@ nlohmann::ordered_json to_json(VerificationRecord const &record);
 // Throws what nlohmann::json throws for a member that is missing or of another type, std::invalid_argument for others.
 VerificationRecord record_of(nlohmann::ordered_json const &json);
 
-// Numbers as JSON; those that it lacks are strings: "nan", "inf", "-inf".
-nlohmann::ordered_json number_json(double value);
-double number_of(nlohmann::ordered_json const &json);
-nlohmann::ordered_json numbers_json(std::vector<double> const &values);
-std::vector<double> numbers_of(nlohmann::ordered_json const &json);
-
 // Reads all records of a file that `verify --json` printed. Throws verification_file.
 std::vector<VerificationRecord> read_records(std::string const &path);
 
