@@ -4,8 +4,11 @@
 #include "engine/support/files.h"
 #include "engine/support/mutation/is_dropped.h"
 #include "engine/support/text.h"
+#include "program/wrapper/baked_patterns.h"
+#include "program/wrapper/baked_shape.h"
 #include "program/wrapper/wrapped_original.h"
 #include "program/wrapper/wrapper_text.h"
+#include "rewrite/text/source_text.h"
 
 #include <algorithm>
 #include <array>
@@ -19,99 +22,12 @@ namespace {
 
 using rewrite::Baked;
 
-bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
-
-// A parsed shape of rewrite/model/signature.h.
-struct Shape {
-  std::vector<std::size_t> extents;
-  char kind = 0;    // '{' if it has members
-  std::string name; // member name
-  std::vector<Shape> members;
-};
-
-Shape read_shape(std::string_view &text) {
-  Shape shape;
-  while (text.starts_with('[')) {
-    std::size_t const end = text.find(']');
-    shape.extents.push_back(std::stoul(std::string(text.substr(1, end - 1))));
-    text.remove_prefix(end + 1);
-  }
-  shape.kind = text.front();
-  text.remove_prefix(1);
-  if (shape.kind != '{') return shape;
-  while (!text.starts_with('}')) {
-    std::size_t const colon = text.find(':');
-    std::string name(text.substr(0, colon));
-    text.remove_prefix(colon + 1);
-    shape.members.push_back(read_shape(text));
-    shape.members.back().name = std::move(name);
-    text.remove_prefix(1); // skips the semicolon
-  }
-  text.remove_prefix(1);
-  return shape;
-}
-
-Shape shape_of(Baked const &baked) {
-  std::string_view text = baked.shape;
-  return read_shape(text);
-}
-
-std::string written(Shape const &shape) {
-  std::string text;
-  for (std::size_t const extent : shape.extents) text += fmt::format("[{}]", extent);
-  text += shape.kind;
-  if (shape.kind != '{') return text;
-  for (Shape const &inner : shape.members) text += inner.name + ":" + written(inner) + ";";
-  return text + "}";
-}
-
-// Calls `visit` with each leaf member; removes members for which it returns false.
-bool keep_members(Shape &shape, std::string const &name, std::function<bool(std::string const &, char)> const &visit) {
-  if (shape.kind != '{') return visit(name, shape.kind);
-  std::erase_if(shape.members, [&](Shape &member) { return !keep_members(member, member.name, visit); });
-  return !shape.members.empty();
-}
-
 // Last name: `mode` of `p->mode`, `index` of `s.index[i]`.
 std::string last_word(std::string text) {
   while (text.ends_with(']')) text.erase(std::min(text.rfind('['), text.size()));
   std::size_t begin = text.size();
-  while (begin > 0 && is_word(text[begin - 1])) --begin;
+  while (begin > 0 && rewrite::is_word(text[begin - 1])) --begin;
   return text.substr(begin);
-}
-
-// Loops over an object's values, around the statement that `leaf` gives for each.
-using Leaf = BakedLeaf;
-
-std::string loop(std::size_t depth, std::string const &count, std::string const &inner) {
-  return fmt::format("{{ unsigned long symreal_{0}; for (symreal_{0} = 0; symreal_{0} < {1}; ++symreal_{0}) {2} }}",
-                     depth, count, inner);
-}
-
-std::string statements(Shape const &shape, std::string element, std::size_t depth, Leaf const &leaf) {
-  for (std::size_t k = 0; k < shape.extents.size(); ++k) element += fmt::format("[symreal_{}]", depth + k);
-  std::size_t const inside = depth + shape.extents.size();
-  std::string text;
-  if (shape.kind == '{') {
-    for (Shape const &inner : shape.members) text += statements(inner, element + "." + inner.name, inside, leaf) + " ";
-    if (!text.empty()) text = "{ " + text + "}";
-  } else
-    text = leaf(element, shape.kind);
-  if (text.empty()) return "";
-  for (std::size_t k = shape.extents.size(); k-- > 0;)
-    text = loop(depth + k, std::to_string(shape.extents[k]) + "u", text);
-  return text;
-}
-
-std::string statements(Baked const &baked, std::vector<std::string> const &lengths, Leaf const &leaf) {
-  Shape const shape = shape_of(baked);
-  std::string element = "(" + baked.expression + ")";
-  for (std::size_t k = 0; k < baked.sections.size(); ++k)
-    element += fmt::format("[({}) + symreal_{}]", baked.sections[k].low, k);
-  std::string text = statements(shape, element, baked.sections.size(), leaf);
-  if (text.empty()) return "";
-  for (std::size_t k = baked.sections.size(); k-- > 0;) text = loop(k, lengths[k], text);
-  return text;
 }
 
 // Value of an element as 64 bits.
@@ -129,190 +45,10 @@ std::string value_of(std::string const &element, char kind) {
   }
 }
 
-constexpr char const *hashes = R"(static __inline__ unsigned long long symreal_bits(double symreal_number) {
-  unsigned long long symreal_result;
-  __builtin_memcpy(&symreal_result, &symreal_number, sizeof symreal_result);
-  return symreal_result;
-}
-/* The bits of both doubles that it is the sum of. */
-static __inline__ unsigned long long symreal_wide(long double symreal_number) {
-  double const symreal_high = (double)symreal_number;
-  return symreal_bits(symreal_high) * 1099511628211ull + symreal_bits((double)(symreal_number - symreal_high));
-}
-static __inline__ unsigned long long symreal_text(char const *symreal_string) {
-  unsigned long long symreal_hash = 14695981039346656037ull;
-  if (!symreal_string) return 0;
-  for (; *symreal_string; ++symreal_string) symreal_hash = (symreal_hash ^ (unsigned char)*symreal_string) * 1099511628211ull;
-  return symreal_hash;
-}
-)";
-
-// Relative position of two ranges: the distance of their begins if they overlap.
-constexpr char const *apart =
-    R"(static __inline__ unsigned long long symreal_apart(void const volatile *symreal_a, void const volatile *symreal_a_end, void const volatile *symreal_b, void const volatile *symreal_b_end) {
-  __UINTPTR_TYPE__ const symreal_first = (__UINTPTR_TYPE__)symreal_a, symreal_second = (__UINTPTR_TYPE__)symreal_b;
-  int const symreal_meet = symreal_first < (__UINTPTR_TYPE__)symreal_b_end && symreal_second < (__UINTPTR_TYPE__)symreal_a_end;
-  return symreal_meet ? (unsigned long long)(symreal_second - symreal_first) : 1ull << 63;
-}
-)";
-
-// In C++, address range of an object's numbers: its own, or those that it refers to.
-constexpr char const *ranges = R"(namespace {
-template <int symreal_n> struct symreal_order : symreal_order<symreal_n - 1> {};
-template <> struct symreal_order<0> {};
-template <class symreal_T> void const volatile *symreal_address(symreal_T const &symreal_object) {
-  return &reinterpret_cast<char const volatile &>(symreal_object);
-}
-template <class symreal_T>
-auto symreal_begin(symreal_T const &symreal_object, symreal_order<2>)
-    -> decltype(symreal_object.rowStride(), symreal_object.colStride(), static_cast<void const volatile *>(symreal_object.data())) {
-  return symreal_object.data();
-}
-template <class symreal_T>
-auto symreal_begin(symreal_T const &symreal_object, symreal_order<1>)
-    -> decltype(symreal_object.size(), static_cast<void const volatile *>(static_cast<double const volatile *>(symreal_object.data()))) {
-  return symreal_object.data();
-}
-template <class symreal_T> void const volatile *symreal_begin(symreal_T const &symreal_object, symreal_order<0>) {
-  return symreal_address(symreal_object);
-}
-template <class symreal_T>
-auto symreal_end(symreal_T const &symreal_object, symreal_order<2>)
-    -> decltype(symreal_object.rowStride(), symreal_object.colStride(), static_cast<void const volatile *>(symreal_object.data())) {
-  return symreal_object.size() == 0 ? symreal_object.data()
-                                    : symreal_object.data() + (symreal_object.rows() - 1) * symreal_object.rowStride() +
-                                          (symreal_object.cols() - 1) * symreal_object.colStride() + 1;
-}
-template <class symreal_T>
-auto symreal_end(symreal_T const &symreal_object, symreal_order<1>)
-    -> decltype(symreal_object.size(), static_cast<void const volatile *>(static_cast<double const volatile *>(symreal_object.data()))) {
-  return symreal_object.data() + symreal_object.size();
-}
-template <class symreal_T> void const volatile *symreal_end(symreal_T const &symreal_object, symreal_order<0>) {
-  return &reinterpret_cast<char const volatile &>(symreal_object) + sizeof symreal_object;
-}
-template <class symreal_T> void const volatile *symreal_low(symreal_T const &symreal_object) {
-  return symreal_begin(symreal_object, symreal_order<2>());
-}
-template <class symreal_T> void const volatile *symreal_high(symreal_T const &symreal_object) {
-  return symreal_end(symreal_object, symreal_order<2>());
-}
-}
-)";
-
-// Visits extents and numbers of any container, as 64 bits each.
-constexpr char const *visits = R"(namespace {
-template <int symreal_n> struct symreal_rank : symreal_rank<symreal_n - 1> {};
-template <> struct symreal_rank<0> {};
-inline unsigned long long symreal_scalar(double symreal_number) { return symreal_bits(symreal_number); }
-inline unsigned long long symreal_scalar(float symreal_number) { return symreal_bits(symreal_number); }
-inline unsigned long long symreal_scalar(long double symreal_number) { return symreal_wide(symreal_number); }
-template <class symreal_T> unsigned long long symreal_scalar(symreal_T const &symreal_object) {
-  return static_cast<unsigned long long>(symreal_object);
-}
-template <class symreal_T, class symreal_Visit>
-void symreal_all(symreal_T const &symreal_object, symreal_Visit &symreal_visit);
-template <class symreal_T, class symreal_Visit>
-auto symreal_enter(symreal_T const &symreal_object, symreal_Visit &symreal_visit, symreal_rank<4>)
-    -> decltype(static_cast<void>(static_cast<unsigned long long>(symreal_object))) {
-  symreal_visit(symreal_scalar(symreal_object));
-}
-template <class symreal_T, __SIZE_TYPE__ symreal_n, class symreal_Visit>
-void symreal_enter(symreal_T const (&symreal_array)[symreal_n], symreal_Visit &symreal_visit, symreal_rank<3>) {
-  for (__SIZE_TYPE__ symreal_i = 0; symreal_i < symreal_n; ++symreal_i) symreal_all(symreal_array[symreal_i], symreal_visit);
-}
-template <class symreal_T, class symreal_Visit>
-auto symreal_enter(symreal_T const &symreal_object, symreal_Visit &symreal_visit, symreal_rank<2>)
-    -> decltype(symreal_object.rows(), symreal_object.cols(), static_cast<void>(symreal_object(0, 0))) {
-  symreal_visit.symreal_extent(static_cast<unsigned long long>(symreal_object.rows()));
-  symreal_visit.symreal_extent(static_cast<unsigned long long>(symreal_object.cols()));
-  for (decltype(symreal_object.rows() + 0) symreal_i = 0; symreal_i < symreal_object.rows(); ++symreal_i)
-    for (decltype(symreal_object.cols() + 0) symreal_j = 0; symreal_j < symreal_object.cols(); ++symreal_j)
-      symreal_all(symreal_object(symreal_i, symreal_j), symreal_visit);
-}
-template <class symreal_T, class symreal_Visit>
-auto symreal_enter(symreal_T const &symreal_object, symreal_Visit &symreal_visit, symreal_rank<1>)
-    -> decltype(symreal_object.size(), static_cast<void>(symreal_object[0])) {
-  symreal_visit.symreal_extent(static_cast<unsigned long long>(symreal_object.size()));
-  for (decltype(symreal_object.size() + 0) symreal_i = 0; symreal_i < symreal_object.size(); ++symreal_i)
-    symreal_all(symreal_object[symreal_i], symreal_visit);
-}
-template <class symreal_T, class symreal_Visit>
-auto symreal_enter(symreal_T const &symreal_object, symreal_Visit &symreal_visit, symreal_rank<0>)
-    -> decltype(symreal_object.real(), static_cast<void>(symreal_object.imag())) {
-  symreal_all(symreal_object.real(), symreal_visit);
-  symreal_all(symreal_object.imag(), symreal_visit);
-}
-template <class symreal_T, class symreal_Visit>
-void symreal_all(symreal_T const &symreal_object, symreal_Visit &symreal_visit) {
-  symreal_enter(symreal_object, symreal_visit, symreal_rank<4>());
-}
-struct symreal_comparer {
-  unsigned long long const *symreal_known;
-  unsigned long long symreal_met;
-  bool symreal_differs;
-  void operator()(unsigned long long symreal_value) {
-    symreal_differs = symreal_differs || symreal_met >= symreal_known[0] || symreal_known[symreal_met + 1] != symreal_value;
-    ++symreal_met;
-  }
-  void symreal_extent(unsigned long long symreal_value) { (*this)(symreal_value); }
-};
-template <class symreal_Visit> struct symreal_extents_alone {
-  symreal_Visit &symreal_visit;
-  void operator()(unsigned long long) {}
-  void symreal_extent(unsigned long long symreal_value) { symreal_visit(symreal_value); }
-};
-template <class symreal_T, class symreal_Visit>
-void symreal_each_of(symreal_T const &symreal_object, bool symreal_is_whole, symreal_Visit &symreal_visit) {
-  symreal_extents_alone<symreal_Visit> symreal_alone = {symreal_visit};
-  if (symreal_is_whole)
-    symreal_all(symreal_object, symreal_visit);
-  else
-    symreal_all(symreal_object, symreal_alone);
-}
-template <class symreal_T>
-bool symreal_is_other(symreal_T const &symreal_object, bool symreal_is_whole, unsigned long long const *symreal_known, unsigned long &symreal_at) {
-  symreal_comparer symreal_visit = {symreal_known + symreal_at, 0, false};
-  symreal_each_of(symreal_object, symreal_is_whole, symreal_visit);
-  bool const symreal_result = symreal_visit.symreal_differs || symreal_visit.symreal_met != symreal_known[symreal_at];
-  symreal_at += 1 + symreal_known[symreal_at];
-  return symreal_result;
-}
-}
-)";
-
-// Helpers of the program that prints the values.
-constexpr char const *tellers_in_c = R"(
-char const *symreal_requested(char const *);
-int symreal_create(char const *, unsigned) __asm__("creat");
-int symreal_print(int, char const *, ...) __asm__("dprintf");
-void symreal_quit(int) __asm__("_exit");
-)";
-constexpr char const *tellers_in_cxx = R"(namespace {
-struct symreal_counter_of_all {
-  unsigned long long symreal_count;
-  void operator()(unsigned long long) { ++symreal_count; }
-  void symreal_extent(unsigned long long symreal_value) { (*this)(symreal_value); }
-};
-struct symreal_teller {
-  int symreal_file;
-  void operator()(unsigned long long symreal_value) { symreal_print(symreal_file, "%llu\n", symreal_value); }
-  void symreal_extent(unsigned long long symreal_value) { (*this)(symreal_value); }
-};
-template <class symreal_T> void symreal_tell(int symreal_file, symreal_T const &symreal_object, bool symreal_is_whole) {
-  symreal_counter_of_all symreal_counter = {0};
-  symreal_each_of(symreal_object, symreal_is_whole, symreal_counter);
-  symreal_teller symreal_visit = {symreal_file};
-  symreal_visit(symreal_counter.symreal_count);
-  symreal_each_of(symreal_object, symreal_is_whole, symreal_visit);
-}
-}
-)";
-
 bool has_kind(std::vector<BakedObject> const &all, char kind) {
   return std::ranges::any_of(all, [kind](BakedObject const &one) {
     bool found = false;
-    Shape shape = shape_of(one.what);
+    BakedShape shape = shape_of(one.what);
     (void)keep_members(shape, "", [&](std::string const &, char what) { return found |= what == kind, true; });
     return found;
   });
@@ -343,7 +79,7 @@ void keep_read(std::vector<BakedObject> &all, std::vector<Frozen> const &frozen)
   for (BakedObject &one : all) {
     if (!one.what.is_object) continue;
     labels.push_back(one.what.label);
-    Shape shape = shape_of(one.what);
+    BakedShape shape = shape_of(one.what);
     (void)keep_members(shape, last_word(one.what.label),
                        [&](std::string const &name, char) { return members.push_back(name), true; });
   }
@@ -359,7 +95,7 @@ void keep_read(std::vector<BakedObject> &all, std::vector<Frozen> const &frozen)
     if (!one.what.is_object) return false;
     bool const is_copied =
         std::ranges::any_of(frozen, [&](Frozen const &each) { return each.is_member && each.name == one.what.label; });
-    Shape shape = shape_of(one.what);
+    BakedShape shape = shape_of(one.what);
     bool const any = keep_members(shape, last_word(one.what.label), [&](std::string const &name, char kind) {
       bool const is_integer = kind == 'i' || kind == 'b' || kind == 'x' || kind == '@';
       return !is_integer || counts_all || is_copied || std::ranges::find(read, name) != read.end();
@@ -398,13 +134,13 @@ std::string tell(Recorded const &recorded) {
       lengths.push_back("(unsigned long)(" + section.length + ")");
       text += fmt::format("symreal_print(symreal_file, \"%lu\\n\", {}); ", lengths.back());
     }
-    text += statements(one.what, lengths,
-                       [](std::string const &element, char kind) {
-                         return is_walked(kind)
-                                    ? fmt::format("symreal_tell(symreal_file, {}, {});", element, kind == '@')
-                                    : fmt::format("symreal_print(symreal_file, \"{}%llu\\n\", {});",
-                                                  kind == 'f' ? "called " : "", value_of(element, kind));
-                       }) +
+    text += baked_statements(one.what, lengths,
+                             [](std::string const &element, char kind) {
+                               return is_walked(kind)
+                                          ? fmt::format("symreal_tell(symreal_file, {}, {});", element, kind == '@')
+                                          : fmt::format("symreal_print(symreal_file, \"{}%llu\\n\", {});",
+                                                        kind == 'f' ? "called " : "", value_of(element, kind));
+                             }) +
             " symreal_print(symreal_file, \"end\\n\"); ";
   }
   return text + "symreal_quit(0); }";
@@ -452,10 +188,10 @@ void add_baked_values(Front const &front, RunOptions const &run, Recorded &recor
       front.annotated.files.empty() ? rewrite::annotated_original(front.rewritten) : front.annotated;
   std::string const path = front.workspace->directory("baked") + "/" + identifier(recorded.kernel.name);
   std::string top = is_c(recorded.kernel) ? "" : "extern \"C\" {";
-  top += tellers_in_c;
+  top += patterns::tellers_in_c;
   top += is_c(recorded.kernel) ? "" : "}\n";
   for (std::string const &block : baked_helpers(recorded)) top += block;
-  if (has_walked(recorded.baked)) top += tellers_in_cxx;
+  if (has_walked(recorded.baked)) top += patterns::tellers_in_cxx;
   insert_in_wrapper_place(telling, recorded.kernel, tell(recorded), top, compares_classes(recorded));
   Overlay const text(telling, front.workspace->directory("annotated-baked"));
   constexpr std::array variants = {Variant::wrapped};
@@ -507,14 +243,14 @@ std::string baked_checks(Recorded const &recorded, Otherwise otherwise) {
     for (std::size_t k = 0; k < one.values.size(); ++k) text += fmt::format("{}{}ull", k ? ", " : "", one.values[k]);
     text += one.values.empty() ? "0" : "";
     text += "};\n    unsigned long symreal_at = 0;\n    " +
-            statements(one.what, lengths,
-                       [&](std::string const &element, char kind) {
-                         return is_walked(kind)
-                                    ? fmt::format("if (symreal_is_other({}, {}, symreal_known, symreal_at)) {}",
-                                                  element, kind == '@', other)
-                                    : fmt::format("if ({} != symreal_known[symreal_at++]) {}", value_of(element, kind),
-                                                  other);
-                       }) +
+            baked_statements(one.what, lengths,
+                             [&](std::string const &element, char kind) {
+                               return is_walked(kind)
+                                          ? fmt::format("if (symreal_is_other({}, {}, symreal_known, symreal_at)) {}",
+                                                        element, kind == '@', other)
+                                          : fmt::format("if ({} != symreal_known[symreal_at++]) {}",
+                                                        value_of(element, kind), other);
+                             }) +
             "\n  }\n";
   }
   return text;
@@ -522,10 +258,10 @@ std::string baked_checks(Recorded const &recorded, Otherwise otherwise) {
 
 std::vector<std::string> baked_helpers(Recorded const &recorded) {
   if (recorded.baked.empty()) return {};
-  std::vector<std::string> blocks = {hashes};
-  if (has_kind(recorded.baked, 'o')) blocks.push_back(apart);
-  if (has_kind(recorded.baked, 'o') && !is_c(recorded.kernel)) blocks.push_back(ranges);
-  if (has_walked(recorded.baked)) blocks.push_back(visits);
+  std::vector<std::string> blocks = {patterns::hashes};
+  if (has_kind(recorded.baked, 'o')) blocks.push_back(patterns::apart);
+  if (has_kind(recorded.baked, 'o') && !is_c(recorded.kernel)) blocks.push_back(patterns::ranges);
+  if (has_walked(recorded.baked)) blocks.push_back(patterns::visits);
   return blocks;
 }
 
@@ -538,7 +274,7 @@ std::string overlap_label(rewrite::Overlap const &overlap) {
 std::string baked_statements(BakedObject const &object, BakedLeaf const &leaf) {
   std::vector<std::string> lengths;
   for (std::size_t const length : object.lengths) lengths.push_back(std::to_string(length) + "u");
-  return statements(object.what, lengths, leaf);
+  return baked_statements(object.what, lengths, leaf);
 }
 
 } // namespace symreal::program

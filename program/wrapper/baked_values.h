@@ -6,8 +6,7 @@
 #pragma once
 
 #include "program/record/front.h"
-
-#include <functional>
+#include "program/wrapper/baked_shape.h"
 
 namespace symreal::program {
 
@@ -28,8 +27,7 @@ bool compares_classes(Recorded const &recorded);
 // Name of a check on the overlap of two items.
 std::string overlap_label(rewrite::Overlap const &overlap);
 
-// Loops over an object's values; `leaf` gives the statement on each, by its kind (rewrite/model/signature.h).
-using BakedLeaf = std::function<std::string(std::string const &element, char kind)>;
+// Loops over an object's recorded values.
 std::string baked_statements(BakedObject const &object, BakedLeaf const &leaf);
 
 } // namespace symreal::program
