@@ -4,7 +4,6 @@
 #include "engine/emit/print/externals.h"
 #include "engine/emit/print/function.h"
 #include "engine/emit/requirements.h"
-#include "engine/plan/schedule/angles.h"
 
 #include <algorithm>
 #include <cctype>
@@ -182,17 +181,13 @@ std::vector<EmittedFile> emit(Plan const &plan, Language const &language, EmitOp
   auto const refuse = [&](char const *what) {
     fail(DiagnosticId::bad_option, {}, what + std::string(language.name) + " does not have");
   };
-  bool const has_angles = plan.schedule.angles.size() != 0;
   if (plan.loops && !language.loops.is_given()) refuse("--reroll needs loops, which --lang=");
   if (plan.lanes && !language.vectors.is_given()) refuse("--vector needs vectors, which --lang=");
-  if (has_angles && !language.angles.is_given())
+  if (plan.schedule.angles.size() != 0 && !language.angles.is_given())
     refuse("the plan begins with sines and cosines computed side by side, which --lang=");
-  if (options.is_single) require_single(plan.graph(), language, options);
-  Language const wanted = options.is_single ? in_single_precision(language) : language;
-  if (options.angles && wanted.angles.is_given() && !has_angles)
-    return print({with_angles(plan.schedule), plan.loops, plan.lanes}, wanted, options);
-  if (wanted.has_blocks) return print(plan, wanted, options);
-  return print(schedule(plan.graph(), Nesting::bounded, Arms::computed), wanted, options);
+  if (!options.is_single) return print(plan, language, options);
+  require_single(plan.graph(), language, options);
+  return print(plan, in_single_precision(language), options);
 }
 
 } // namespace symreal

@@ -20,6 +20,12 @@ namespace symreal {
 //   char const *guard_text(int guard);
 // Throws bad_option if the language cannot express the graph. Vector code is for compilers and processors with vectors;
 // others get the statements.
+// The plan must have the language's form.
 std::vector<EmittedFile> emit(Plan const &plan, Language const &language, EmitOptions const &options);
+
+// The form in which the language takes plans. `angles`: with sines and cosines side by side, where it has them.
+inline PlanForm form_of(Language const &language, bool angles = false) {
+  return {language.has_blocks, angles && language.angles.is_given()};
+}
 
 } // namespace symreal

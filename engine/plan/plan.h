@@ -20,4 +20,14 @@ struct Plan {
   Graph const &graph() const { return *schedule.graph; }
 };
 
+// The form in which a language takes plans.
+struct PlanForm {
+  bool has_blocks = true;  // else both arms of decisions are computed
+  bool has_angles = false; // sines and cosines side by side at the start (schedule/angles.h)
+  auto operator<=>(PlanForm const &) const = default;
+};
+
+// The plan in this form. A plan with loops, vectors or threads keeps its blocks: only languages with blocks have those.
+Plan in_form(Plan plan, PlanForm const &form);
+
 } // namespace symreal

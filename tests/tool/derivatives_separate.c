@@ -30,7 +30,7 @@
 // ONE: double jacobian_y_x[3];
 // It is a word for derivatives.
 // RUN: not %symreal generate %S/Inputs/no_derivatives.c -o %t/e.c --separate 2>&1 | FileCheck %s --check-prefix=NONE
-// NONE: error: --separate: nobody asks for derivatives of 'k'
+// NONE: error: --separate needs derivatives of 'k': name them with --differentiate
 // RUN: not ls %t/e.c
 #include <math.h>
 #include <stdio.h>

@@ -4,6 +4,7 @@
 #include "tool/analysis/parallel_option.h"
 #include "tool/bundle/bundle.h"
 #include "tool/commands/optimise.h"
+#include "tool/commands/planned_code.h"
 #include "tool/commands/subcommands.h"
 #include "tool/options/code_options.h"
 #include "tool/options/option_table.h"
@@ -113,24 +114,23 @@ std::vector<OutputFile> result_files(Optimised const &optimised, Plan const *rea
   }
   std::vector<Language const *> const languages = options.language.languages();
   bool const is_text = languages.empty(); // of the plan for C
-  PlannedCode code;
-  if (read)
-    code.plan = *read;
-  else
-    code = planned_code(options.parallel.shared(schedule(graph, options.emitter.nesting()), remark), optimised.loops,
-                        is_text ? std::vector{find_language("c")} : languages,
-                        {options.passes, options.emitter, options.reroll, options.vector});
+  PlanRequest const request{options.passes, options.emitter, options.reroll, options.vector,
+                            is_text ? std::vector{find_language("c")} : languages};
+  PlannedCode const code =
+      read ? planned_code(*read, request)
+           : planned_code(options.parallel.shared(schedule(graph, options.emitter.nesting()), remark), optimised.loops,
+                          request);
   for (Diagnostic const &diagnostic : code.remarks) print(std::cerr, diagnostic);
   for (std::string const &found : {code.loops, code.lanes})
     if (!found.empty()) remark = found;
   if (is_text) {
-    write_plan(text, code.plan);
+    write_plan(text, code.plan());
     return {{options.output, text.str()}};
   }
   std::string const path =
       options.output.empty() ? graph.kernel + std::string(languages[0]->files.extension) : options.output;
   require_source_name(path, languages);
-  return emitted_files(code.plan, options.emitter, options.passes.floating_point(), languages, path);
+  return emitted_files(code.of(request), options.emitter, options.passes.floating_point(), path);
 }
 
 std::vector<std::string> write_bundle(Graph const &graph, Plan const *read, Options const &options) {

@@ -6,10 +6,10 @@
 #include "engine/graph/statistics.h"
 #include "engine/optimise/passes/pass.h"
 #include "engine/optimise/passes/snap.h"
-#include "engine/plan/schedule/angles.h"
 #include "engine/support/number.h"
 #include "engine/support/progress.h"
 #include "runtime/replay/samples.h"
+#include "tool/commands/planned_code.h"
 #include "verify/exact_values.h"
 
 #include <algorithm>
@@ -129,13 +129,6 @@ void tell_of_exact_constants(Graph const &recorded, PassSettings const &settings
                       now, shortest(first.value), shortest(first.exact))});
 }
 
-// The schedule as C and C++ print it, if they are among the languages; loops and vectors are searched in it.
-Schedule as_emitted(Schedule const &plan, EmitterOptions const &options, FloatingPoint mode,
-                    std::vector<Language const *> const &languages) {
-  bool const any = std::ranges::any_of(languages, [](Language const *one) { return one->angles.is_given(); });
-  return any && options.has_angles(mode) ? with_angles(plan) : plan;
-}
-
 } // namespace
 
 Optimised optimise(Graph recorded, PassOptions const &options, Report const &report, bool searches) {
@@ -167,26 +160,12 @@ Optimised optimise_around_loops(Graph recorded, PassOptions const &options, Emit
     return optimise(std::move(recorded), options, report);
   std::vector<Diagnostic> remarks;
   Optimised result = optimise(recorded, options, [&](Diagnostic const &remark) { remarks.push_back(remark); }, false);
-  Rerolled loops =
-      rerolled(as_emitted(schedule(result.graph, emitter.nesting()), emitter, options.floating_point(), languages),
-               options.floating_point());
+  Rerolled loops = rerolled(
+      with_wished_angles(schedule(result.graph, emitter.nesting()), emitter, options.floating_point(), languages),
+      options.floating_point());
   if (!loops.has_loops()) return optimise(std::move(recorded), options, report);
   for (Diagnostic const &remark : remarks) report ? report(remark) : print(std::cerr, remark);
   result.loops = std::move(loops);
-  return result;
-}
-
-PlannedCode planned_code(Schedule const &schedule, std::optional<Rerolled> const &found,
-                         std::vector<Language const *> const &languages, CodeForm const &options) {
-  PlannedCode result;
-  Schedule const laid_out = as_emitted(schedule, options.emitter, options.passes.floating_point(), languages);
-  result.angles = describe(laid_out.angles);
-  std::optional<Rerolled> loops = options.reroll.loops(laid_out, found, options.passes, result.remarks, result.loops);
-  if (loops && loops->compute) result.looped = executed_operations(laid_out, *loops);
-  std::optional<Laned> lanes = options.vector.lanes(laid_out, result.remarks, result.lanes);
-  // Other languages print the schedule without sines and cosines at its start.
-  bool const is_common = std::ranges::all_of(languages, [](Language const *one) { return one->angles.is_given(); });
-  result.plan = Plan(is_common ? laid_out : schedule, std::move(loops), std::move(lanes));
   return result;
 }
 

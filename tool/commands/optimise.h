@@ -1,7 +1,7 @@
 // Optimiser of every run: recorded graph ──passes──▶ optimised graph, with the effect of each pass.
 #pragma once
 
-#include "engine/plan/plan.h"
+#include "engine/plan/reroll/reroll.h"
 #include "tool/options/code_options.h"
 #include "tool/options/pass_options.h"
 #include "tool/report/report.h"
@@ -25,25 +25,5 @@ Optimised optimise(Graph recorded, PassOptions const &options, Report const &rep
 // Optimises for --reroll: in mode fast, structure recovery skips its search if the emitted graph then has loops.
 Optimised optimise_around_loops(Graph recorded, PassOptions const &options, EmitterOptions const &emitter,
                                 std::vector<Language const *> const &languages, Report const &report = {});
-
-// Options for the form of the code.
-struct CodeForm {
-  PassOptions const &passes;
-  EmitterOptions const &emitter;
-  RerollOption const &reroll;
-  VectorOption const &vector;
-};
-
-// The plan of a graph's code, and in words its sines and cosines at the start, its loops and its vectors.
-struct PlannedCode {
-  Plan plan = {};
-  std::string angles = {}, loops = {}, lanes = {};
-  std::optional<OperationCounts> looped = {}; // operations of compute inside and outside loops
-  std::vector<Diagnostic> remarks = {};
-};
-
-// `found`: loops that were found before. The plan suits all of the languages.
-PlannedCode planned_code(Schedule const &schedule, std::optional<Rerolled> const &found,
-                         std::vector<Language const *> const &languages, CodeForm const &options);
 
 } // namespace symreal::tool

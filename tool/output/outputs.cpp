@@ -4,7 +4,6 @@
 #include "engine/emit/emit.h"
 #include "engine/emit/language/banner.h"
 #include "engine/emit/language/emitted.h"
-#include "engine/plan/schedule/angles.h"
 #include "engine/support/files.h"
 #include "engine/support/mutation/is_dropped.h"
 #include "program/build/durable_files.h"
@@ -137,8 +136,8 @@ void require_all(Outputs const &outputs) {
 
 } // namespace
 
-std::vector<OutputFile> emitted_files(Plan const &plan, EmitterOptions const &options, FloatingPoint mode,
-                                      std::vector<Language const *> const &languages, std::string const &path) {
+std::vector<OutputFile> emitted_files(std::vector<LanguagePlan> const &plans, EmitterOptions const &options,
+                                      FloatingPoint mode, std::string const &path) {
   EmitOptions const emit{fs::path(path).stem().string(),
                          options.prefix,
                          mode,
@@ -146,15 +145,14 @@ std::vector<OutputFile> emitted_files(Plan const &plan, EmitterOptions const &op
                          options.trace_comments,
                          options.check_values,
                          options.is_single(),
-                         options.has_angles(mode),
                          !options.map_file.empty(),
                          options.reference};
   std::vector<OutputFile> files;
-  for (Language const *language : languages)
-    for (EmittedFile &file : symreal::emit(plan, *language, emit)) {
+  for (auto const &[language, plan] : plans)
+    for (EmittedFile &file : symreal::emit(*plan, *language, emit)) {
       files.push_back({(fs::path(path).parent_path() / file.name).string(), std::move(file.text)});
       if (!options.map_file.empty() && files.size() == 1)
-        files.push_back({options.map_file, line_map(file, plan.graph())});
+        files.push_back({options.map_file, line_map(file, plan->graph())});
     }
   return files;
 }

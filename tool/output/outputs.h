@@ -26,9 +26,15 @@ struct Outputs {
   std::vector<std::string> directories = {}; // created if missing
 };
 
+// A plan in the form of a language.
+struct LanguagePlan {
+  Language const *language;
+  Plan const *plan;
+};
+
 // Generated code, named after `path`: for each language the source, its header and, on request, the mainline.
-std::vector<OutputFile> emitted_files(Plan const &plan, EmitterOptions const &options, FloatingPoint mode,
-                                      std::vector<Language const *> const &languages, std::string const &path);
+std::vector<OutputFile> emitted_files(std::vector<LanguagePlan> const &plans, EmitterOptions const &options,
+                                      FloatingPoint mode, std::string const &path);
 
 // Fails if the file cannot be written or was read. Call before the work, lest it be in vain.
 void require_writable(std::string const &path);

@@ -18,7 +18,6 @@ struct EmitOptions {
   bool trace_comments = false;                    // every statement has a comment with its source lines
   bool check_values = false;  // one operation per statement; a call reports its first NaN or infinity
   bool is_single = false;     // numbers are float
-  bool angles = false;        // vectorises sines and cosines of inputs (schedule/angles.h)
   bool origins = false;       // records the source locations of statement lines
   std::string reference = {}; // the mathematical library of the original; empty without an original
 };
