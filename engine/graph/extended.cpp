@@ -65,7 +65,7 @@ std::string obstacle_to_extended(Graph const &graph, bool calls) {
   for (std::size_t id = 0; id < graph.nodes.size(); ++id) {
     Op const op = graph.nodes[id].op;
     if (live[id] && !is_leaf(op) && reality_of(op) == Reality::none && !(calls && is_of_call(op)))
-      return "'" + std::string(info(op).name) + "' is no operation on real numbers";
+      return "'" + std::string(info(op).name) + "' is not an operation on real numbers";
   }
   return {};
 }

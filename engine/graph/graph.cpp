@@ -42,9 +42,10 @@ std::vector<State> find_states(Graph const &graph) {
         fail(DiagnosticId::pragma_syntax, pair.place, "state(" + pair.state + ", " + pair.derivative + "): " + why);
     };
     State const state{find(graph.inputs, pair.state), find(graph.outputs, pair.derivative)};
-    require(state.input != graph.inputs.size(), "'" + pair.state + "' is no input of kernel '" + graph.kernel + "'");
+    require(state.input != graph.inputs.size(),
+            "'" + pair.state + "' is not an input of kernel '" + graph.kernel + "'");
     require(state.output != graph.outputs.size(),
-            "'" + pair.derivative + "' is no output of kernel '" + graph.kernel + "'");
+            "'" + pair.derivative + "' is not an output of kernel '" + graph.kernel + "'");
     Object const &input = graph.inputs[state.input], &output = graph.outputs[state.output];
     require(input.extents == output.extents && input.members == output.members, "they have different shapes");
     for (State const &other : states)

@@ -70,7 +70,7 @@ public:
   std::uint32_t count(char const *what) {
     std::string const &text = word(what);
     std::optional<std::uint32_t> const value = parse_natural(text);
-    if (!value) error("'" + text + "' is no " + what);
+    if (!value) error("'" + text + "' is not valid as " + what);
     return *value;
   }
   double number(char const *what) {

@@ -141,7 +141,7 @@ private:
     static constexpr std::array<std::string_view, 5> policies = {"error", "guard", "select", "explore", "auto"};
     graph_.decisions = line.word("a policy");
     if (std::ranges::find(policies, graph_.decisions) == policies.end())
-      line.error("'" + graph_.decisions + "' is no policy of decisions");
+      line.error("'" + graph_.decisions + "' is not a policy of decisions");
   }
 
   static void read_object(Line &line, std::vector<Object> &objects, std::vector<double> *values) {

@@ -52,7 +52,7 @@ bool has_prototype_of(External const &a, External const &b) {
   return is_alike(a.returned, b.returned) && std::ranges::equal(a.parameters, b.parameters, is_alike);
 }
 
-// Functions of <math.h> that are no operations, with their types: the result, then the parameters. n: double, i: int,
+// Functions of <math.h> that are not operations, with their types: the result, then the parameters. n: double, i: int,
 // l: long, L: long long, N: pointer to a double that is written, ?: a type that external functions cannot have.
 struct MathFunction {
   std::string_view name, types;
@@ -201,12 +201,12 @@ char const *call_violation(Graph const &graph, Node const &node) {
   if (node.op == Op::call) return nullptr;
   Node const &before = graph.nodes[node.operand[2]];
   bool const is_first = before.is_constant() && before.value() == 0;
-  return is_first || before.op == Op::call_in_order ? nullptr : "follows something that is no call in order";
+  return is_first || before.op == Op::call_in_order ? nullptr : "follows something other than a call in order";
 }
 
 char const *returned_violation(Graph const &graph, Node const &node) {
   Node const &call = graph.nodes[node.operand[0]];
-  if (!is_call(call.op)) return "is a result of something that is no call";
+  if (!is_call(call.op)) return "is a result of something other than a call";
   std::size_t const results = graph.externals[function_of(graph, call)].result_count();
   return is_number_below(graph, node.operand[1], results) ? nullptr : "is a result that its function does not have";
 }
@@ -221,7 +221,7 @@ char const *find_opaque_violation(Graph const &graph, NodeId id) {
   case Op::lookup:
   case Op::lookup2: what = lookup_violation(graph, node); break;
   case Op::argument:
-    if (!is_list(graph, node.operand[0])) what = "extends something that is no list of arguments";
+    if (!is_list(graph, node.operand[0])) what = "extends something other than a list of arguments";
     first_value = 1;
     break;
   case Op::call:
@@ -236,7 +236,7 @@ char const *find_opaque_violation(Graph const &graph, NodeId id) {
   default: break;
   }
   for (std::size_t i = first_value; i < arity(node.op); ++i)
-    if (is_structure(graph, node.operand[i])) what = "computes with something that is no number";
+    if (is_structure(graph, node.operand[i])) what = "computes with something other than a number";
   return what;
 }
 
@@ -292,7 +292,7 @@ std::string check_externals(std::vector<External> const &externals) {
 // Ordered calls form one chain that ends in the last effect; a call outside it would be lost.
 std::string check_effects(Graph const &graph) {
   auto const is_effect = [&](NodeId id) { return id < graph.nodes.size() && graph.nodes[id].op == Op::call_in_order; };
-  if (graph.last_effect != no_node && !is_effect(graph.last_effect)) return "the last effect is no call in order";
+  if (graph.last_effect != no_node && !is_effect(graph.last_effect)) return "the last effect is not a call in order";
   std::size_t effects = 0, reached = 0;
   for (Node const &node : graph.nodes) effects += node.op == Op::call_in_order;
   for (NodeId id = graph.last_effect; id != no_node && is_effect(id); id = graph.nodes[id].operand[2]) ++reached;
@@ -310,14 +310,14 @@ std::string check_roots(Graph const &graph) {
     for (NodeId root : *roots)
       if (root >= graph.nodes.size()) return "a result names a node that does not exist";
   for (NodeId result : graph.results)
-    if (!is_number(graph, result)) return "a result is no number";
+    if (!is_number(graph, result)) return "a result is not a number";
   for (NodeId stored : graph.precomputed) {
     if (graph.nodes[stored].attribute != Attribute::parametric) return "a precomputed node is not parametric";
-    if (!is_number(graph, stored) && !is_wide(graph.nodes[stored].op)) return "a precomputed node is no number";
+    if (!is_number(graph, stored) && !is_wide(graph.nodes[stored].op)) return "a precomputed node is not a number";
   }
   for (Guard const &guard : graph.guards) {
     if (guard.condition >= graph.nodes.size()) return "a guard names a node that does not exist";
-    if (!is_number(graph, guard.condition)) return "a guard's condition is no number";
+    if (!is_number(graph, guard.condition)) return "a guard's condition is not a number";
     if (guard.location != no_location && guard.location >= graph.locations.size())
       return "a guard names a location that does not exist";
   }

@@ -28,7 +28,7 @@ std::optional<Op> find_operation(std::string_view name) {
 }
 
 [[noreturn]] static double opaque() {
-  internal_failure("an opaque operation is no function of its operands", __FILE__, __LINE__);
+  internal_failure("an opaque operation is not a function of its operands", __FILE__, __LINE__);
 }
 
 double evaluate(Op op, double x, double y, double z) {

@@ -64,7 +64,7 @@ std::int32_t signed_number(Line &line, char const *what) {
 
 constexpr std::array arrays = {Array::input, Array::constants, Array::sine, Array::cosine};
 
-// The enumerator of this name; nullopt if there is none. `names`: those of the enumerators, in order.
+// The enumerator of this name; nullopt if the name is unknown. `names`: those of the enumerators, in order.
 template <class Enum> std::optional<Enum> find_name(std::span<std::string_view const> names, std::string_view name) {
   auto const found = std::ranges::find(names, name);
   return found == names.end() ? std::nullopt : std::optional(static_cast<Enum>(found - names.begin()));
@@ -81,11 +81,11 @@ public:
   NodeId find(Line &line, std::string const &word) const {
     if (word[0] == '%') {
       std::optional<NodeId> const number = parse_natural(std::string_view(word).substr(1));
-      if (!number || *number >= nodes_.size()) line.error("'" + word + "' is no node of the graph");
+      if (!number || *number >= nodes_.size()) line.error("'" + word + "' is not a node of the graph");
       return nodes_[*number];
     }
     auto const number = parse_number(word);
-    if (!number) line.error("'" + word + "' is no node and no number");
+    if (!number) line.error("'" + word + "' is neither a node nor a number");
     auto const found = std::ranges::find(graph_.nodes, Node::constant(*number));
     if (found == graph_.nodes.end()) line.error("the graph has no constant " + word);
     return static_cast<NodeId>(found - graph_.nodes.begin());
@@ -216,7 +216,7 @@ public:
   }
 
 private:
-  // Position of the first line that is none of the schedule's.
+  // Position of the first line behind the schedule.
   static std::size_t begin_of_plan(std::string_view text) {
     std::size_t begin = text.size();
     for (std::string_view const line : {"\nangles", "\nloops ", "\nlanes "})
@@ -321,7 +321,7 @@ private:
     if (has_body_) line.error("the leaves of a step stand before its body");
     std::string const name = line.word("the kind of leaf");
     auto const kind = find_name<Leaf::Kind>(reroll::leaf_kind_names, name);
-    if (!kind) line.error("'" + name + "' is no kind of leaf");
+    if (!kind) line.error("'" + name + "' is not a kind of leaf");
     Leaf leaf{*kind};
     if (kind == Leaf::Kind::values) {
       if (line.accept("by")) {
@@ -417,7 +417,7 @@ private:
     lanes::Vector vector;
     auto const form = find_name<Form>(lanes::form_names, name);
     std::optional<Op> const op = find_operation(name);
-    if (!form && (!op || arity(*op) > 2)) line.error("'" + name + "' is no form of a vector");
+    if (!form && (!op || arity(*op) > 2)) line.error("'" + name + "' is not a form of a vector");
     vector.form = form.value_or(Form::operation);
     if (op) vector.op = *op;
     if (vector.form == Form::load) read_load(line, vector);
@@ -446,7 +446,7 @@ private:
   void read_load(Line &line, lanes::Vector &vector) {
     std::string const name = line.word("an array");
     auto const array = std::ranges::find(arrays, name, name_of);
-    if (array == arrays.end()) line.error("'" + name + "' is no array");
+    if (array == arrays.end()) line.error("'" + name + "' is not an array");
     vector.array = *array;
     vector.first = line.count("first element");
     if (vector.first + lanes_->width > lanes::ScalarFunction(plan_.schedule, lanes_->width).extent(vector.array))

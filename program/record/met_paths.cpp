@@ -61,7 +61,7 @@ void read_numbers(std::vector<double> &numbers, std::vector<std::size_t> const &
     Cell const &cell = cells[columns[k]];
     std::optional<double> const number = parse_number(cell.text);
     if (!number || !std::isfinite(*number))
-      refuse(file, line, cell.column, fmt::format("'{}' is no finite number", cell.text));
+      refuse(file, line, cell.column, fmt::format("'{}' is not a finite number", cell.text));
     numbers[k] = *number;
   }
 }

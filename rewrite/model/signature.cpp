@@ -15,7 +15,7 @@ using namespace clang;
 
 namespace {
 
-// The parameters of a function as a declaration and a call have them. Those without a name get one.
+// The parameters of a function as a declaration and a call have them. Unnamed ones get a name.
 struct Parameters {
   std::string declared, passed;
 };

@@ -6,7 +6,7 @@
 // RUN: %symreal generate %s -o %t.c -- -DCONSTANT && %symreal verify %s %t.c --samples=100 -- -DCONSTANT
 // verify sees it by itself: calls in a row have different inputs.
 // RUN: %symreal generate %s -o %t.c -- -DLATER && not %symreal verify %s %t.c --samples=100 -- -DLATER 2>&1 | FileCheck %s --check-prefix=LATER
-// LATER: error: called again, 1 of 1 outputs differ from the original: it keeps something that is no output
+// LATER: error: called again, 1 of 1 outputs differ from the original: it keeps something other than its outputs
 #include <cmath>
 #include <cstdio>
 #include <functional>

@@ -58,7 +58,7 @@ double all(double x, double *a, Counter &c, int n, double *&p) {
   while (x > 10) x /= 2;
   // CHECK: refused.cpp:[[@LINE+1]]:27 {{.*}} a '?:' that stands for an object, not for its value
   const double &smaller = x < a[0] ? x : a[0];
-  // CHECK: refused.cpp:[[@LINE+1]]:11 {{.*}} a '?:' that is no number but int
+  // CHECK: refused.cpp:[[@LINE+1]]:11 {{.*}} a '?:' that is not a number but int
   int k = x > 0 ? 1 : 2;
   // CHECK: refused.cpp:[[@LINE+1]]:7 {{.*}} an assignment to 'a[0]' within '?:'
   x = x > 0 ? (a[0] = 1) : 2;

@@ -1,13 +1,13 @@
 // What cannot be differentiated is an error, and what jumps a warning with its place.
 // RUN: rm -rf %t && mkdir %t
 // RUN: not %symreal generate %s -o %t/k.c --differentiate 'jacobian(w, x)' 2>&1 | FileCheck %s --check-prefix=OUTPUT
-// OUTPUT: error: --differentiate 'jacobian(w, x)': 'w' is no output of the kernel, which has y, g, s [SYM180]
+// OUTPUT: error: --differentiate 'jacobian(w, x)': 'w' is not an output of the kernel, which has y, g, s [SYM180]
 // RUN: not %symreal generate %s -o %t/k.c --differentiate 'jacobian(y, [x, y])' 2>&1 | FileCheck %s --check-prefix=INPUT
-// INPUT: error: --differentiate 'jacobian(y, [x, y])': 'y' is no input of the kernel, which has x [SYM180]
+// INPUT: error: --differentiate 'jacobian(y, [x, y])': 'y' is not an input of the kernel, which has x [SYM180]
 // RUN: not %symreal generate %s -o %t/k.c --differentiate 'jacobian(y, [x, x])' 2>&1 | FileCheck %s --check-prefix=TWICE
 // TWICE: 'x' stands there twice [SYM180]
 // RUN: not %symreal generate %s -o %t/k.c --differentiate 'slope(y, x)' 2>&1 | FileCheck %s --check-prefix=KIND
-// KIND: this is none of jacobian(y, x), gradient(y), hessian(y, x), jvp(y, x) and vjp(y, x) [SYM180]
+// KIND: this is not one of jacobian(y, x), gradient(y), hessian(y, x), jvp(y, x) and vjp(y, x) [SYM180]
 // RUN: not %symreal generate %s -o %t/k.c --differentiate 'hessian(y, x)' 2>&1 | FileCheck %s --check-prefix=VECTOR
 // VECTOR: derivatives_refused.c:[[@LINE+28]]:{{[0-9]+}}: error: --differentiate 'hessian(y, x)': what is named has 2 numbers [SYM183]
 // RUN: not %symreal generate %s -o %t/k.c --differentiate 'gradient(g)' 2>&1 | FileCheck %s --check-prefix=GAMMA

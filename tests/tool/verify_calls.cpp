@@ -11,7 +11,7 @@ struct Filter {
   int calls = 1;
 };
 
-// COUNTED: error: called again, 1 of 1 outputs differ from the original: it keeps something that is no output
+// COUNTED: error: called again, 1 of 1 outputs differ from the original: it keeps something other than its outputs
 // COUNTED: note: value_return: original {{.*}}, generated
 #pragma symreal function input(x) constant(f.calls) scratch(f.calls) output(return)
 double counted(Filter &f, double x) {

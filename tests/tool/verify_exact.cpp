@@ -31,7 +31,7 @@
 // RUN: %symreal generate %s -o %t/near.c --kernel near --decisions=select && %symreal verify %s %t/near.c --samples 200 --exact 256 2>&1 | FileCheck %s --check-prefix=NEAR
 // NEAR: exact values, in 256 bits: {{[0-9]+}} samples; {{[0-9]+}} more, where a decision falls otherwise in them or a value is not finite
 // RUN: %symreal generate %s -o %t/bits.c --kernel bits --decisions=select && %symreal verify %s %t/bits.c --samples 200 --exact 256 2>&1 | FileCheck %s --check-prefix=BITS
-// BITS: exact values, in 256 bits: there are none: 'nextafter' is no operation on real numbers
+// BITS: exact values, in 256 bits: there are none: 'nextafter' is not an operation on real numbers
 
 // What is no number of bits, and where the option says nothing.
 // RUN: not %symreal verify %s %t/finite.c --exact 64 2>&1 | FileCheck %s --check-prefix=RANGE

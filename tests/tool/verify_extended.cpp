@@ -31,4 +31,4 @@ int main() {
 // WORSE: 1 of 1 outputs differ from the original
 // WORSE: in extended precision the original is off by {{.*}}, the generated code by {{.*}}: more than 4 times as far and the tolerance
 // FINITE-NOT: judged
-// SINGLE: extended precision cannot tell which of them is nearer to the exact value: 'nextafter' is no operation on real numbers
+// SINGLE: extended precision cannot tell which of them is nearer to the exact value: 'nextafter' is not an operation on real numbers

@@ -4,7 +4,7 @@
    RUN: not %symreal verify --samples=100 --min-samples=10 %s %t.c -- -DKEEPS 2>&1 | FileCheck %s
    RUN: cp %s %t.cpp && %symreal generate %t.cpp -o %t.k.c && %symreal verify --samples=100 --min-samples=10 %t.cpp %t.k.c
    RUN: not %symreal verify --samples=100 --min-samples=10 %t.cpp %t.k.c -- -DKEEPS 2>&1 | FileCheck %s
-   CHECK: error: called again, 1 of 6 outputs differ from the original: it keeps something that is no output
+   CHECK: error: called again, 1 of 6 outputs differ from the original: it keeps something other than its outputs
    CHECK: note: y[1]: original
 */
 #include <stdio.h>

@@ -1,7 +1,7 @@
 /* Of several kernels without a wrapper each is reported at its place, and nothing is written.
    RUN: rm -rf %t && mkdir %t && cd %t
    RUN: not %symreal generate %s -o out --wrapper > log 2>&1 && FileCheck %s --implicit-check-not=error: < log && not ls out
-   CHECK-DAG: wrapper_refused_several.c:[[# @LINE+15]]:1: error: --wrapper cannot return what 'unread' returns, which is no output: add output(return) [SYM095]
+   CHECK-DAG: wrapper_refused_several.c:[[# @LINE+15]]:1: error: --wrapper cannot return what 'unread' returns, which is not an output: add output(return) [SYM095]
    CHECK-DAG: wrapper_refused_several.c:[[# @LINE+20]]:{{[0-9]+}}: error: --wrapper cannot compare 'of' of 'called', which is baked in: {{.*}} [SYM095]
    CHECK-DAG: wrapper_refused_several.c:[[# @LINE+32]]:{{[0-9]+}}: error: --wrapper needs a function: kernel 'block' is a stretch of code without a signature [SYM095]
 

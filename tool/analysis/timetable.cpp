@@ -80,7 +80,7 @@ std::vector<Kind> read_kinds(std::string const &words) {
     Kind kind{word.substr(0, equals), read_count(word.substr(std::min(equals + 1, word.size())))};
     if (!is_kind(kind.name))
       fail(DiagnosticId::bad_option, {},
-           "--units: '" + kind.name + "' is no operation, and none of arithmetic, function, external, other");
+           "--units: '" + kind.name + "' is neither an operation nor one of arithmetic, function, external, other");
     if (std::ranges::find(kinds, kind.name, &Kind::name) != kinds.end())
       fail(DiagnosticId::bad_option, {}, "--units lists '" + kind.name + "' twice");
     kinds.push_back(std::move(kind));

@@ -58,7 +58,7 @@ void add_derivatives(std::vector<ConfiguredClause> &clauses, Yaml const &node) {
     std::size_t const open = whole.text.find('(');
     std::optional<Clause> const clause = rewrite::find_clause(whole.text.substr(0, open));
     if (!clause || !rewrite::info(*clause).has(rewrite::trait::WORDS) || !whole.text.ends_with(')'))
-      one.fail("'" + whole.text + "' is no derivative, as jacobian(tau, [q, qd]) is");
+      one.fail("'" + whole.text + "' is not a derivative, as jacobian(tau, [q, qd]) is");
     std::string const inner = whole.text.substr(open + 1, whole.text.size() - open - 2);
     clauses.push_back({{name_of(*clause), whole.place}, {{inner, whole.place}}});
   }

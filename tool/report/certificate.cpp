@@ -185,7 +185,7 @@ Json certificate(Verified const &verified, std::vector<VerificationRecord> const
 Json read_certificate(std::string const &path) {
   Json json = Json::parse(read_file(path), nullptr, /*allow_exceptions=*/false);
   if (!json.is_object() || json.value("symreal_certificate", 0) != form || !json.contains("digest"))
-    fail(DiagnosticId::verification_file, {path}, "this file is no certificate that verify --certificate wrote");
+    fail(DiagnosticId::verification_file, {path}, "this file is not a certificate that verify --certificate wrote");
   if (json["digest"] != digest_of(json))
     fail(DiagnosticId::certificate_refused, {path}, "the certificate was changed after it was written");
   if (json.value("version", "") != version)
@@ -217,7 +217,7 @@ program::VerificationOptions options_of(Json const &certificate, std::string con
     if (record.contains("errors")) options.exact_bits = record["errors"].at("bits");
     return options;
   } catch (Json::exception const &) {
-    fail(DiagnosticId::verification_file, {path}, "this file is no certificate that verify --certificate wrote");
+    fail(DiagnosticId::verification_file, {path}, "this file is not a certificate that verify --certificate wrote");
   }
 }
 

@@ -245,7 +245,8 @@ void print_state(std::ostream &out, rewrite::Reach const &reach) {
   }
   std::string list;
   for (std::string const &name : changed) list += (list.empty() ? "" : ", ") + name;
-  if (!list.empty()) fmt::print(out, "    where nobody reads what a call leaves in them: scratch({})\n", list);
+  if (!list.empty())
+    fmt::print(out, "    where the values that a call leaves in them are not read: scratch({})\n", list);
 }
 
 } // namespace

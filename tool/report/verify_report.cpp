@@ -360,7 +360,7 @@ std::optional<Diagnostic> verification_failure(Graph const &graph, program::Veri
           {{},
            fmt::format(
                "on {} samples the recorded graph, before any pass, differs from the original too: the cause is not "
-               "a pass but what the recording did not see (state that is no input, a decision that was carried, "
+               "a pass but what the recording did not see (state other than inputs, a decision that was carried, "
                "code that was not rewritten)",
                verification.graph_different)});
     if (verification.mode == FloatingPoint::fast) add_exact_notes(diagnostic, verification.exact);
@@ -369,8 +369,8 @@ std::optional<Diagnostic> verification_failure(Graph const &graph, program::Veri
   if (std::size_t count = program::count_different(verification.called_again))
     return Diagnostic{DiagnosticId::verification_mismatch,
                       {file},
-                      fmt::format("called again, {} of {} outputs differ from the original: it keeps something that is "
-                                  "no output, or that is said to be scratch",
+                      fmt::format("called again, {} of {} outputs differ from the original: it keeps something other "
+                                  "than its outputs, or that is said to be scratch",
                                   count, verification.outputs.size()),
                       {{{}, first_difference(graph, verification, verification.called_again, "generated")}}};
   if (std::size_t count = program::count_different(verification.called_beyond))

@@ -23,7 +23,7 @@ constexpr double longest = 1e9; // nanoseconds: one second, far below the limit 
 double nanoseconds(nlohmann::json const &entry, char const *which) {
   double const value = entry.at(which).get<double>();
   if (!(value >= 0 && value <= longest))
-    throw std::out_of_range(fmt::format("'{}' is {}, which is no time", which, value));
+    throw std::out_of_range(fmt::format("'{}' is {}, which is not a time", which, value));
   return value;
 }
 

@@ -13,14 +13,15 @@ double rounded(double nanoseconds) { return std::round(nanoseconds * 10) / 10; }
 
 double time_of(nlohmann::json const &json, char const *which) {
   double const value = json.at(which).get<double>();
-  if (!(value > 0 && value <= 1e9)) throw std::out_of_range(fmt::format("'{}' is {}, which is no time", which, value));
+  if (!(value > 0 && value <= 1e9))
+    throw std::out_of_range(fmt::format("'{}' is {}, which is not a time", which, value));
   return value;
 }
 
 unsigned count_of(nlohmann::json const &json, char const *which) {
   long const value = json.at(which).get<long>();
   if (value < 1 || value > 1L << 20)
-    throw std::out_of_range(fmt::format("'{}' is {}, which is no number of them", which, value));
+    throw std::out_of_range(fmt::format("'{}' is {}, which is not a number of them", which, value));
   return static_cast<unsigned>(value);
 }
 
@@ -101,7 +102,7 @@ ThreadCosts thread_costs(nlohmann::json const &json) {
   if (json.contains("sections"))
     for (nlohmann::json const &one : json.at("sections"))
       costs.sections.push_back({count_of(one, "threads"), time_of(one, "nanoseconds")});
-  if (costs.barriers.empty()) throw std::out_of_range("'barriers' has none");
+  if (costs.barriers.empty()) throw std::out_of_range("'barriers' is empty");
   return costs;
 }
 

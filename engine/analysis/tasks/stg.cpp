@@ -59,7 +59,8 @@ std::uint64_t number(Word const &word, char const *what, std::uint64_t most) {
   std::uint64_t value = 0;
   auto const [end, failed] = std::from_chars(word.text.data(), word.text.data() + word.text.size(), value);
   if (failed == std::errc::invalid_argument || end != word.text.data() + word.text.size())
-    malformed(word.place, "'" + std::string(word.text) + "' is no " + what + ", which is a whole number from 0 on");
+    malformed(word.place,
+              "'" + std::string(word.text) + "' is not valid as " + what + ", which is a whole number from 0 on");
   if (failed != std::errc() || value > most)
     malformed(word.place, std::string(what) + " " + std::string(word.text) + " is more than " + std::to_string(most));
   return value;

@@ -1,4 +1,4 @@
-// The enumeration of operations, from the table. The leaves come first; they are no operations and stand in no table.
+// The enumeration of operations, from the table. The leaves come first; they are not operations and stand in no table.
 #pragma once
 
 #include <cstdint>

@@ -37,7 +37,7 @@ void read_words(DerivativeRequest &request, std::span<std::string const> items, 
     bool *const word = word_of(request, item);
     if (!word)
       refuse(wish, "'" + item +
-                       "' is none of sparse, symmetric and weighted; several objects stand in brackets, as in "
+                       "' is not one of sparse, symmetric and weighted; several objects stand in brackets, as in "
                        "[q, qd]");
     if (*word) refuse(wish, "'" + item + "' stands there twice");
     *word = true;
@@ -80,7 +80,7 @@ NamedSlots find(std::vector<std::string> const &wanted, std::vector<Object> cons
     if (k == objects.size()) {
       std::string all;
       for (std::string const &other : known) all += (all.empty() ? "" : ", ") + other;
-      refuse(wish, "'" + name + "' is no " + what + " of the kernel, which has " + (all.empty() ? "none" : all));
+      refuse(wish, "'" + name + "' is not an " + what + " of the kernel, which has " + (all.empty() ? "none" : all));
     }
     if (std::ranges::find(found.names, known[k]) != found.names.end())
       refuse(wish, "'" + name + "' stands there twice");
@@ -119,7 +119,7 @@ DerivativeRequest read_request(DerivativeWish const &wish, Graph const &graph) {
   std::size_t const open = whole.find('(');
   auto const kind = std::ranges::find(kinds, trimmed(whole.substr(0, open)));
   if (open == whole.npos || !whole.ends_with(')') || kind == kinds.end())
-    refuse(wish, "this is none of jacobian(y, x), gradient(y), hessian(y, x), jvp(y, x) and vjp(y, x)");
+    refuse(wish, "this is not one of jacobian(y, x), gradient(y), hessian(y, x), jvp(y, x) and vjp(y, x)");
   std::vector<std::string> const items = items_of(whole.substr(open + 1, whole.size() - open - 2));
   NamedSlots const outputs = find(names_of(items[0]), graph.outputs, wish, "output");
   NamedSlots inputs;

@@ -57,7 +57,7 @@ private:
         values[id] = numbering_.constant(node.value());
       else
         values[id] = operation(node, values);
-      if (!values[id].is_known()) difference_ = fmt::format("iteration {} reads what nobody has computed", k);
+      if (!values[id].is_known()) difference_ = fmt::format("iteration {} reads a value before it is computed", k);
     }
     for (Store const &store : step.stores) {
       std::vector<Value> &array = store.is_result ? results_ : memory_;

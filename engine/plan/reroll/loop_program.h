@@ -60,7 +60,7 @@ std::optional<Nest> nest_of(LoopStep const &step);
 // stores of one iteration can be neighbours.
 //
 // gcc's vectoriser, in its pattern addsub, fuses a product with the sum behind it, whatever the flags, if sums and
-// differences alternate in neighbouring elements of memory. That takes stores of one iteration to neighbouring
+// differences alternate in neighbouring elements of memory. It takes stores of one iteration to neighbouring
 // elements, so a loop without such stores is safe: its vectors hold one operation of several iterations. Small inner
 // loops are unrolled first, and then the stores of several inner iterations belong to one outer iteration.
 bool is_side_by_side(LoopStep const &step);

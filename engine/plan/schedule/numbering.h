@@ -2,7 +2,7 @@
 //
 // Besides, only identities that are exact in floating point count: sums and products commute, x - y is x + (-y), and
 // signs move through products and quotients. Values with one number are thus bitwise equal, except that any NaN equals
-// any other. Where zeros have no sign, signs also move through sums, and sums of opposites and products with 0 are 0.
+// any other. If zeros have no sign, signs also move through sums, and sums of opposites and products with 0 are 0.
 //
 // Method: numbers are the nodes of a hash-consed graph that holds each value in one canonical form.
 #pragma once

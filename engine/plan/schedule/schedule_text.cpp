@@ -219,7 +219,7 @@ private:
     if (body_ != &plan_.preprocess) line.error("preprocess stores what compute reads");
     if (line.count("slot") != body_->results.size()) line.error("slots must follow each other from 0 on");
     NodeId const id = value(line, line.word("a node"));
-    if (body_->regions.is_gate(id)) line.error("a gate is no number");
+    if (body_->regions.is_gate(id)) line.error("a gate is not a number");
     if (graph_->nodes[id].is_constant()) line.error("a constant needs no slot");
     if (!is_wide(graph_->nodes[id].op)) require_number(line, id);
     require_set(line, id);
@@ -232,7 +232,7 @@ private:
 
   void require_number(Line const &line, NodeId id) const {
     Op const op = graph_->nodes[id].op;
-    if (!is_leaf(op) && info(op).has(flag::STRUCTURE | flag::WIDE)) line.error("this is no number");
+    if (!is_leaf(op) && info(op).has(flag::STRUCTURE | flag::WIDE)) line.error("this is not a number");
   }
 
   // Checks that the node may follow `set`.
@@ -262,11 +262,11 @@ private:
       bool const is_gate = word[0] == '?'; // possibly a gate set later
       std::optional<NodeId> const number = parse_natural(std::string_view(word).substr(1));
       std::size_t const count = is_gate ? no_node - body_->regions.node_count : nodes_.size();
-      if (!number || *number >= count) line.error("'" + word + "' is no node of the graph");
+      if (!number || *number >= count) line.error("'" + word + "' is not a node of the graph");
       return is_gate ? body_->regions.node_count + *number : nodes_[*number];
     }
     auto const number = parse_number(word);
-    if (!number) line.error("'" + word + "' is no node and no number");
+    if (!number) line.error("'" + word + "' is neither a node nor a number");
     Node const constant = Node::constant(*number);
     auto const found = std::ranges::find(graph_->nodes, constant);
     if (found == graph_->nodes.end()) line.error("the graph has no constant " + word);

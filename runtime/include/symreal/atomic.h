@@ -1,4 +1,4 @@
-// std::atomic and std::atomic_ref of numbers. Those of the library would compare bytes, and the bytes of a symbolic
+// std::atomic and std::atomic_ref of numbers. The library's own would compare bytes, and the bytes of a symbolic
 // value are the name of a node: here an exchange on comparison is a decision on the values.
 #pragma once
 

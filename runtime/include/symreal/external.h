@@ -1,7 +1,7 @@
 // Calls of functions that are not recorded: the runtime of `#pragma symreal external(f)`.
 //
 // The function itself is called, with the carried values in private copies of its arguments, so that the program goes
-// on. Where an argument is symbolic, or the function has effects, the call is recorded.
+// on. If an argument is symbolic, or the function has effects, the call is recorded.
 #pragma once
 
 #include <symreal/real_number.h>

@@ -68,7 +68,7 @@ struct Recorded<C<T, first, more...>> {
   using Type = C<typename Recorded<T>::Type, first, more...>;
 };
 
-// A constant object of doubles as one of REALs: a double is a REAL that is no node. The assembly keeps the compiler
+// A constant object of doubles as one of REALs: a double is a REAL without a node. The assembly keeps the compiler
 // from telling them apart by their types.
 template <class To, class From> [[gnu::always_inline]] constexpr To *recorded_object(From *object) noexcept {
   static_assert(sizeof(To) == sizeof(From) && alignof(To) == alignof(From));

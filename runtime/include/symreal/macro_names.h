@@ -1,4 +1,4 @@
-// The types and enumerators that macros (macros.h) and rewritten sources name. What a macro expands to is expanded
+// The types and enumerators that macros (macros.h) and rewritten sources name. The text of a macro is expanded
 // again, by the macros of the program: so all that stands there begins with symreal_, SYMREAL_ or Symreal, and no macro
 // of a program may have such a name. Functions and members have theirs where they are declared.
 #pragma once

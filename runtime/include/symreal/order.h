@@ -1,7 +1,7 @@
 // The order in which operands are evaluated.
 //
 // g() - h() with the operator of the language calls g first; gcc evaluates the arguments of a call, which the operator
-// of a class is, from the last to the first. Where it matters the rewriter hands the right operand over as a function.
+// of a class is, from the last to the first. If it matters the rewriter hands the right operand over as a function.
 // And an argument that is a number is read when its turn comes, one that is a class when the function is entered.
 #pragma once
 

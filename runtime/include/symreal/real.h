@@ -1,4 +1,4 @@
-/* The switch under its usual names: REAL is the number, the macros around it begin with REAL_. Where a source uses one
+/* The switch under its usual names: REAL is the number, the macros around it begin with REAL_. If a source uses one
    of these names for something else, macros.h has them without. */
 #ifndef SYMREAL_REAL_H
 #define SYMREAL_REAL_H

@@ -2,8 +2,8 @@
 //
 // It is recorded as a real number that has integer values, so an index into a table, or a fraction (x/h - i), keeps its
 // dependency; one of 64 bits as integer64.h says. It has the values that the host's compiler gives it: conversions, the
-// promotions and usual conversions of the language, unsigned types that wrap. Where a signed type of 32 bits overflows
-// the original is undefined, and the graph says so to verification. Where the program needs an integer of its own (a
+// promotions and usual conversions of the language, unsigned types that wrap. If a signed type of 32 bits overflows
+// the original is undefined, and the graph says so to verification. If the program needs an integer of its own (a
 // loop bound, an index into an array without a table) it converts to one, which is a decision.
 #pragma once
 

@@ -13,7 +13,7 @@ matchMedia("(prefers-color-scheme: dark)").addEventListener("change", coloursCha
 addEventListener("beforeprint", () => { document.documentElement.dataset.theme = "light"; coloursChanged(); });
 addEventListener("afterprint", () => { delete document.documentElement.dataset.theme; coloursChanged(); });
 
-// What kind of work an operation is.
+// Kind of work of an operation.
 const symbols = {add: "+", sub: "−", mul: "×", div: "÷", neg: "−"};
 function kindOf(name) {
   if (name === "input" || name === "parameter") return "leaf";

@@ -1,4 +1,4 @@
-// Where the operations come from: source lines, those with the most generated operations first.
+// Origins of the operations: source lines, those with the most generated operations first.
 function linesSection(report) {
   const lines = report.kernel.lines || [], most = 15;
   if (!lines.length) return [make("p", {class: "empty"}, "The graph names no places in sources.")];

@@ -1,4 +1,4 @@
-// What is known of the selected node, as text and as buttons that lead on.
+// Facts on the selected node, as text and as buttons that lead on.
 function nodeDetails(view) {
   const {model, selected} = view, data = model.data;
   if (selected < 0) return [make("p", {class: "hint"}, "Select an operation to see what it is, what it takes and who uses it.")];

@@ -21,7 +21,7 @@ for (const [id, title, content] of sections) {
   section.append(...content(report).filter(Boolean));
 }
 document.querySelector("footer").append(`Written by Symreal ${report.tool}. Mode ${report.mode}. Charts by uPlot, whose licence (MIT) is in this page.`);
-// What is folded away on the screen stands on paper.
+// On paper also what is folded away on the screen.
 const folded = () => document.querySelectorAll("details:not([open])");
 addEventListener("beforeprint", () => { for (const each of folded()) each.dataset.folded = each.open = true; });
 addEventListener("afterprint", () => { for (const each of document.querySelectorAll("[data-folded]")) { each.open = false; delete each.dataset.folded; } });

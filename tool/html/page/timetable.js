@@ -1,4 +1,4 @@
-// The timetable as a Gantt chart: a row for each unit. What is too short to be seen is drawn as one bar.
+// The timetable as a Gantt chart: a row for each unit. Tasks too short to be seen are drawn as one bar.
 class TimetableView {
   constructor(report) {
     this.report = report;

@@ -1,10 +1,10 @@
-// What the code rests on: guards, baked-in state, verification.
+// Foundations of the code: guards, baked-in state, verification.
 function guardsSection(report) {
   const guards = report.kernel.guards || [], {guards: checks, samples} = report.verification || {};
   if (!guards.length) return [make("p", {class: "empty"}, "No guards: the code follows the one path that there is for all inputs.")];
-  // Of code that other passes made, the guards may be others.
+  // Guards may be others in code that other passes made.
   const covered = checks && checks.length === guards.length, stopped = covered ? checks.map(check => check.failed) : [];
-  // Of samples within the premises; files of earlier versions do not say how many these are.
+  // Samples within the premises; files of earlier versions do not say how many these are.
   const asked = covered ? checks.map((check, i) => check.evaluated ?? samples - stopped.slice(0, i).reduce((a, b) => a + b, 0)) : [];
   const left = covered ? asked.at(-1) - stopped.at(-1) : 0;
   const rows = guards.map((guard, i) => {
@@ -28,7 +28,7 @@ function frozenSection(report) {
     const parts = /^(.*?):(\d+)(?::\d+)?$/.exec(place);
     return parts ? lineLink(parts[1], Number(parts[2])) : place;
   };
-  return [table("State that was read and is no input: its value is part of the code", ["Object", "Value", "Source"],
+  return [table("State that was read and is not an input: its value is part of the code", ["Object", "Value", "Source"],
     frozen.map(state => [make("code", {}, state.name), make("code", {}, values(state.values)), link(state.place)]))];
 }
 
