@@ -33,7 +33,7 @@ void require_file_name(Language const &language, EmitOptions const &options) {
   if (identifier(options.base_name, language.names) == options.base_name) return;
   fail(DiagnosticId::bad_option, {},
        "a file of --lang=" + std::string(language.name) + " is called as what it contains, and '" + options.base_name +
-           "' is no name there: give another with -o");
+           "' cannot be a name there: give another with -o");
 }
 
 // Requirements of calls on bridges.
@@ -75,7 +75,7 @@ void require_expressible(Schedule const &plan, Language const &language, EmitOpt
     require(false, has_live(graph, [&](Op other) { return other == op; }),
             kernel + "operation " + std::string(info(op).name));
   require(!language.statements.check.empty(), !graph.guards.empty(), kernel + "guards");
-  require(!language.statements.value_check.empty(), options.check_values, "--check-values needs reports of values");
+  require(!language.statements.value_check.empty(), options.check_values, "--debug=values needs reports of values");
   require(language.parallel.is_given(), plan.threads > 1, "--parallel needs OpenMP sections");
   for (std::string const &extra : options.extras) {
     bool const is_there =

@@ -168,11 +168,11 @@ std::vector<Diagnostic> open_branches(rewrite::Kernel const &kernel, Exploration
   Diagnostic warning{DiagnosticId::branches_left, kernel.place, std::move(message)};
   if (!kernel.annotations.empty()) warning.place = kernel.annotations.front().place;
   auto const note = [&](std::string text) { warning.notes.push_back({warning.place, std::move(text)}); };
-  if (exploration.paths_left) note(fmt::format("there are more than {} paths (--max-paths)", bounds.paths));
+  if (exploration.paths_left) note(fmt::format("there are more than {} paths (--explore=paths)", bounds.paths));
   if (exploration.cut_off != 0)
-    note(fmt::format("{} cut off beyond {} decisions (--max-depth)", paths(exploration.cut_off), bounds.depth));
+    note(fmt::format("{} cut off beyond {} decisions (--explore=depth)", paths(exploration.cut_off), bounds.depth));
   if (exploration.beyond != 0)
-    note(fmt::format("the path of this run has {} more than {} decisions (--max-depth)", exploration.beyond,
+    note(fmt::format("the path of this run has {} more than {} decisions (--explore=depth)", exploration.beyond,
                      bounds.depth));
   if (exploration.ended != 0)
     note(fmt::format("on {} the program ends before the kernel does", paths(exploration.ended)));

@@ -1,7 +1,7 @@
 // Under --decisions=explore every path through a kernel is recorded, and the code has selects between them: no guard is
 // left, and verification has no sample that the code refuses.
 // RUN: rm -rf %t && mkdir %t
-// RUN: %symreal generate %s -o %t/ --decisions=explore --joins=off --json > %t/json 2> %t/table
+// RUN: %symreal generate %s -o %t/ --decisions=explore --explore=joins=off --json > %t/json 2> %t/table
 // RUN: FileCheck %s --check-prefix=TABLE < %t/table
 // TABLE-NOT: warning
 // TABLE: kernel sort5:

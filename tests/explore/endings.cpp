@@ -1,7 +1,7 @@
 // A path on which the program ends, loops for ever, or leaves the kernel by an exception comes to no end of the kernel: a guard
 // refuses it.
 // RUN: rm -rf %t && mkdir %t && cd %t
-// RUN: %symreal generate %s -o %t/ --decisions=explore --joins=off 2> %t/table
+// RUN: %symreal generate %s -o %t/ --decisions=explore --explore=joins=off 2> %t/table
 // RUN: FileCheck %s < %t/table
 // CHECK: warning: of kernel 'checked' 3 paths are recorded, and 3 guards refuse what remains [SYM192]
 // CHECK: note: on 3 paths the program ends before the kernel does

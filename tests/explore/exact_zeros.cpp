@@ -1,7 +1,7 @@
-// A test of a computed number for exact zero is taken as not met, and a guard refuses the zero, unless --zero-tests=explore asks
+// A test of a computed number for exact zero is taken as not met, and a guard refuses the zero, unless --explore=zeros=explore asks
 // for its path. An input that is compared with 0 may be a mode: both paths are recorded.
 // RUN: rm -rf %t && mkdir %t && cd %t
-// RUN: %symreal generate %s -o %t/guard.c --decisions=explore --joins=off 2>&1 | FileCheck %s --check-prefix=GUARD
+// RUN: %symreal generate %s -o %t/guard.c --decisions=explore --explore=joins=off 2>&1 | FileCheck %s --check-prefix=GUARD
 // GUARD-NOT: warning
 // GUARD: explored 2 paths, 1 select between them; complete but for exact zeros: see the guards
 // GUARD: 3 tests for exact zero taken as not met
@@ -9,7 +9,7 @@
 // GUARD-NEXT: guard 2 exact_zeros.cpp:[[#@LINE+21]]:3: sum <= DBL_MIN ({{.*}}) is false{{$}}
 // GUARD-NOT: guard {{[0-9]}}
 // RUN: %symreal verify --samples=100 --min-samples=10 %s %t/guard.c 2>&1 | FileCheck %s --check-prefix=SAME
-// RUN: %symreal generate %s -o %t/explore.c --decisions=explore --joins=off --zero-tests=explore 2>&1 | FileCheck %s --check-prefix=EXPLORE
+// RUN: %symreal generate %s -o %t/explore.c --decisions=explore --explore=joins=off --explore=zeros=explore 2>&1 | FileCheck %s --check-prefix=EXPLORE
 // EXPLORE: complete: no guards
 // RUN: FileCheck %s --check-prefix=TEXT < %t/explore.c
 // TEXT: "decisions":"explore:128:64:zeros:apart"

@@ -2,7 +2,7 @@
 // swapped and signs that are kept apart, series here and closed forms there, Newton's method within a bracket, a loop
 // that ends early. Policies explore and auto take all of it, and verification agrees on every sample.
 // RUN: rm -rf %t && mkdir %t && cd %t
-// RUN: %symreal generate %s -o %t/ --decisions=auto --max-paths=400 > %t/auto 2>&1
+// RUN: %symreal generate %s -o %t/ --decisions=auto --explore=paths=400 > %t/auto 2>&1
 // RUN: FileCheck %s < %t/auto
 // RUN: %symreal verify --samples=100 --min-samples=10 %s reduce.c sine_cosine.c area.c distance.c latitude.c --branches > %t/verified 2>&1
 // RUN: FileCheck %s --check-prefix=SAME < %t/verified

@@ -41,10 +41,10 @@
 // SAME-NEXT: every path is recorded: no sample is left to a guard
 // SAME: y[0] 5 0 0{{$}}
 // Without joins each way is a path.
-// RUN: %symreal generate %s -o %t/apart.c --kernel largest --decisions=explore --joins=off 2>&1 | FileCheck %s --check-prefix=APART
+// RUN: %symreal generate %s -o %t/apart.c --kernel largest --decisions=explore --explore=joins=off 2>&1 | FileCheck %s --check-prefix=APART
 // APART: explored 8 paths, {{[0-9]+}} selects between them; complete: no guards
-// RUN: not %symreal generate %s -o %t/none.c --joins=off 2>&1 | FileCheck %s --check-prefix=NONE
-// NONE: error: --joins has no effect without --decisions=explore or auto [SYM010]
+// RUN: not %symreal generate %s -o %t/none.c --explore=joins=off 2>&1 | FileCheck %s --check-prefix=NONE
+// NONE: error: --explore has no effect without --decisions=explore or auto [SYM010]
 #include <algorithm>
 #include <cstdio>
 #include <utility>

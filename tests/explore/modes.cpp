@@ -1,9 +1,9 @@
 // With NaN no two numbers stand in an order. Mode strict takes them into account: not (x < y) says nothing of x >= y there.
 // In finite and fast it does, and there are fewer paths.
 // RUN: rm -rf %t && mkdir %t && cd %t
-// RUN: %symreal generate %s -o %t/finite.c --decisions=explore --joins=off 2>&1 | FileCheck %s --check-prefix=THREE
-// RUN: %symreal generate %s -o %t/strict.c --fp=strict --decisions=explore --joins=off 2>&1 | FileCheck %s --check-prefix=STRICT
-// RUN: %symreal generate %s -o %t/fast.c --fp=fast --decisions=explore --joins=off 2>&1 | FileCheck %s --check-prefix=THREE
+// RUN: %symreal generate %s -o %t/finite.c --decisions=explore --explore=joins=off 2>&1 | FileCheck %s --check-prefix=THREE
+// RUN: %symreal generate %s -o %t/strict.c --fp=strict --decisions=explore --explore=joins=off 2>&1 | FileCheck %s --check-prefix=STRICT
+// RUN: %symreal generate %s -o %t/fast.c --fp=fast --decisions=explore --explore=joins=off 2>&1 | FileCheck %s --check-prefix=THREE
 // THREE: explored 3 paths
 // STRICT: explored 4 paths
 // RUN: %symreal verify --samples=100 --min-samples=10 %s %t/finite.c > %t/verified 2>&1

@@ -1,6 +1,6 @@
 // A program that does not come to the same decisions after the same outcomes cannot be explored.
 // RUN: rm -rf %t && mkdir %t && cd %t
-// RUN: not %symreal generate %s -o %t/f.c --decisions=explore --joins=off --run-args=%t/state --cwd=%t 2>&1 | FileCheck %s
+// RUN: not %symreal generate %s -o %t/f.c --decisions=explore --explore=joins=off --run-args=%t/state --cwd=%t 2>&1 | FileCheck %s
 // RUN: not ls %t/f.c
 // CHECK: not_repeated.cpp:[[@LINE+4]]:{{[0-9]+}}: error: with the same outcomes of its decisions the kernel decides on other values [SYM190]
 #include <cstdio>

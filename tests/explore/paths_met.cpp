@@ -1,7 +1,7 @@
 // With --paths-met the paths that given samples take become code; a guard refuses each branch that none of them takes, be
 // it one between paths or one whose ways come together again. Where samples go both ways, these still come together.
 // RUN: rm -rf %t && mkdir %t && cd %t
-// RUN: %symreal generate %s -o all.c --decisions=explore --joins=off 2>&1 | FileCheck %s --check-prefix=ALL
+// RUN: %symreal generate %s -o all.c --decisions=explore --explore=joins=off 2>&1 | FileCheck %s --check-prefix=ALL
 // RUN: printf 'x[0],x[1],time,m\n0.5,2,0,3\n-0.5,1,1,3\n\n0.25,1.5,2,3\n' > met.csv
 // RUN: %symreal generate %s -o met.c --decisions=explore --paths-met met.csv --json 2> told > json
 // RUN: FileCheck %s --check-prefix=MET < told
@@ -25,7 +25,7 @@
 // CODE: return 0;
 
 // Where each way is a path, no arm is left that no sample takes.
-// RUN: %symreal generate %s -o apart.c --decisions=explore --joins=off --paths-met met.csv 2>&1 | FileCheck %s --check-prefix=APART
+// RUN: %symreal generate %s -o apart.c --decisions=explore --explore=joins=off --paths-met met.csv 2>&1 | FileCheck %s --check-prefix=APART
 // RUN: FileCheck %s --check-prefix=STRAIGHT < apart.c
 // RUN: %symreal verify %s apart.c --paths-met met.csv --samples=200 --min-samples=20 2>&1 | FileCheck %s --check-prefix=STEPS
 // APART: explored 2 paths, 2 selects between them; complete for the paths that samples take: see the guards
@@ -68,7 +68,7 @@
 // TWICE: bad.csv:1:11: error: a second column is called 'x[0]' [SYM195]
 // RUN: printf 'x[0],x[1]\n0.5,2\n0.25, 2m\n' > bad.csv
 // RUN: not %tool generate %s -o no.c --decisions=explore --paths-met bad.csv 2>&1 | FileCheck %s --check-prefix=NUMBER
-// NUMBER: bad.csv:3:7: error: '2m' is no finite number [SYM195]
+// NUMBER: bad.csv:3:7: error: '2m' is not a finite number [SYM195]
 // RUN: printf 'x[0],x[1]\n0.5,2\n0.25\n' > bad.csv
 // RUN: not %tool generate %s -o no.c --decisions=explore --paths-met bad.csv 2>&1 | FileCheck %s --check-prefix=SHORT
 // SHORT: bad.csv:3:1: error: the line has 1 cells, and the header 2 [SYM195]

@@ -1,7 +1,7 @@
 // Pragmas count within an explored kernel: selects are no decisions, guards stay guards on the paths that come by them, a
 // loop with a bound is bounded, and a table is read at an index that depends on an input.
 // RUN: rm -rf %t && mkdir %t && cd %t
-// RUN: %symreal generate %s -o %t/ --decisions=explore --joins=off 2> %t/table
+// RUN: %symreal generate %s -o %t/ --decisions=explore --explore=joins=off 2> %t/table
 // RUN: FileCheck %s < %t/table
 // CHECK-NOT: warning
 // CHECK: kernel mixed:

@@ -1,7 +1,7 @@
 // Conditions that bounds settle are explored on one side only: by the operations alone without a guard, by the range of
 // an input with one, which refuses an input beyond it. Conditions are known in any spelling.
 // RUN: rm -rf %t && mkdir %t && cd %t
-// RUN: %symreal generate %s -o %t/ --decisions=explore --joins=off 2> %t/table
+// RUN: %symreal generate %s -o %t/ --decisions=explore --explore=joins=off 2> %t/table
 // RUN: FileCheck %s < %t/table
 // CHECK-NOT: warning
 // CHECK: kernel zone:

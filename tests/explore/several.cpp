@@ -1,7 +1,7 @@
 // Each kernel of a program is explored in runs of its own: a block, which is met again and again, one that decides nothing, one
 // that decides on parameters, and one that begins where another has decided.
 // RUN: rm -rf %t && mkdir %t && cd %t
-// RUN: %symreal generate %s -o %t/ --decisions=explore --joins=off 2> %t/table
+// RUN: %symreal generate %s -o %t/ --decisions=explore --explore=joins=off 2> %t/table
 // RUN: FileCheck %s < %t/table
 // CHECK-NOT: warning
 // CHECK: kernel plain:

@@ -15,12 +15,12 @@ PRAGMAS = ["#pragma symreal", "#pragma symreal function", "#pragma symreal input
            "#pragma symreal function call(4294967296)", "#pragma symreal input(((((((x)))))))", "#pragma symreal \\", "_Pragma(\"symreal input(x)\")",
            "#pragma symreal input(x[0:3][0:3][0:3][0:3][0:3][0:3])", "#pragma STDC FENV_ROUND FE_DOWNWARD", "#include \"missing.h\"",
            "#if 0", "#else", "#endif", "#define double float", "#line 0 \"\"", "#line 2147483648", "#error broken", "#include __FILE__"]
-OPTIONS = [["--fp=strict"], ["--fp=fast"], ["--fp=slow"], ["--decisions=guard"], ["--decisions=select"], ["--decisions=explore", "--max-paths=4"],
-           ["--decisions=auto", "--max-paths=4"], ["--decisions=explore", "--max-paths=0"], ["--lang=rust"], ["--lang=c,python"], ["--lang=klingon"],
+OPTIONS = [["--fp=strict"], ["--fp=fast"], ["--fp=slow"], ["--decisions=guard"], ["--decisions=select"], ["--decisions=explore", "--explore=paths=4"],
+           ["--decisions=auto", "--explore=paths=4"], ["--decisions=explore", "--explore=paths=0"], ["--lang=rust"], ["--lang=c,python"], ["--lang=klingon"],
            ["--passes=none"], ["--passes=,,"], ["--prefix=1x"], ["--prefix=a b"], ["--kernel", "f(x=) -> y"], ["--kernel", "f(((("], ["--kernel", ""],
            ["--differentiate", "jacobian(y, x)"], ["--differentiate", "jacobian("], ["--root", "/nowhere"], ["--frozen=allow"], ["--run-args", "'"],
            ["--stats"], ["--json"], ["--mainline"], ["--wrapper"], ["--reroll"], ["--vector=3"], ["--real=float"], ["--config", "none.yaml"],
-           ["--joins=off"], ["--tol=-1"], ["--reachable"], ["--snap=2"], ["--effort=9"], ["--type-name=int"], ["--type-name", "a b"], ["--no-such-option"]]
+           ["--explore=joins=off"], ["--tol=-1"], ["--reachable"], ["--snap=2"], ["--effort=9"], ["--type-name=int"], ["--type-name", "a b"], ["--no-such-option"]]
 FLAGS = [["-std=c++98"], ["-std=c++99"], ["-std=c89"], ["-I/nowhere"], ["-D="], ["-Ddouble=int"], ["-DMBD_SYMBOLIC"], ["-DREAL=int"], ["-xc"], ["-xfortran"],
          ["-O3", "-ffast-math"], ["-include", "missing.h"], ["-fno-such-flag"], ["-Wall", "-Werror"], ["-c"], ["-o", "elsewhere.o"], ["-E"], ["-M"],
          ["-fsanitize=address"], ["-m32"], ["-target", "nowhere"], ["-"], ["@none"], ["-U__cplusplus"]]

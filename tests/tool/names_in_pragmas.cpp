@@ -1,6 +1,6 @@
 // The words of a pragma become names, comments and strings of the generated code: as data, never as code.
 // RUN: rm -rf %t && mkdir -p "%t/run/y $(touch evil) *"
-// RUN: cd %t/run && %symreal generate %s --frozen=allow --decisions=guard --trace-comments --mainline 2> %t/messages
+// RUN: cd %t/run && %symreal generate %s --frozen=allow --decisions=guard --debug=comments --mainline 2> %t/messages
 // RUN: cd %t/run && ls -R | FileCheck %s --check-prefix=FILES
 // RUN: cd %t/run && %cc -std=c99 -Wall -Wextra -pedantic -Werror -Dmain=other_main -c "y $(touch evil) */ x.c" "y $(touch evil) */ x_main.c"
 // RUN: cd %t/run && %symreal verify %s "y $(touch evil) */ x.c" --samples=50 --min-samples=1

@@ -1,6 +1,6 @@
 // Generated statements carry the source's names, and on request say where they come from: as comments, as a map, and
 // when a value is no longer finite.
-// RUN: %symreal generate %s -o %t.c --trace-comments --map %t.json --mainline 2>/dev/null
+// RUN: %symreal generate %s -o %t.c --debug=comments --map %t.json --mainline 2>/dev/null
 // RUN: FileCheck %s --input-file=%t.c
 // RUN: FileCheck %s --input-file=%t.json --check-prefix=MAP
 // RUN: %cc -std=c99 -Wall -Wextra -Wconversion -pedantic -Werror -O1 -ffp-contract=off %t.c %t_main.c -lm -o %t.run
@@ -9,7 +9,7 @@
 // The text of the graph carries names and places, so the same code comes from it, but for the line of the original's library.
 // RUN: %symreal generate %s -o %t.c --graph %t.graph 2>/dev/null
 // RUN: %symreal opt %t.graph --lang=c -o %t.again.c && grep -vE "include|functions of the original" %t.c > %t.1 && grep -v include %t.again.c | diff %t.1 -
-// RUN: %symreal generate %s -o %t.debug.c --check-values --mainline 2>/dev/null
+// RUN: %symreal generate %s -o %t.debug.c --debug=values --mainline 2>/dev/null
 // RUN: %cc -std=c99 -Wall -Wextra -Wconversion -pedantic -Werror -O1 %t.debug.c %t.debug_main.c -lm -o %t.debug
 // RUN: %t.debug 2>&1 | FileCheck %s --check-prefix=FINE
 // RUN: %t.debug 0 0 2>&1 | FileCheck %s --check-prefix=BROKEN

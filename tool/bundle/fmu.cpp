@@ -306,8 +306,8 @@ std::string unit_bytes(Schedule const &plan, EmitterOptions const &emitter, Floa
   EmitOptions const options{.base_name = name,
                             .prefix = emitter.prefix,
                             .mode = mode,
-                            .trace_comments = emitter.trace_comments,
-                            .check_values = emitter.check_values};
+                            .trace_comments = emitter.debugs("comments"),
+                            .check_values = emitter.debugs("values")};
   std::vector<UnitVariable> const variables = unit_variables(graph);
   Files sources;
   for (EmittedFile const &file : symreal::emit(plan, c, options)) sources.emplace_back(file.name, file.text);

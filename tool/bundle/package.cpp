@@ -111,8 +111,8 @@ std::vector<OutputFile> package_files(Schedule const &plan, EmitterOptions const
   EmitOptions const options{.base_name = name,
                             .prefix = emitter.prefix,
                             .mode = mode,
-                            .trace_comments = emitter.trace_comments,
-                            .check_values = emitter.check_values,
+                            .trace_comments = emitter.debugs("comments"),
+                            .check_values = emitter.debugs("values"),
                             .reference = emitter.reference};
   Emission const emission{plan, python, options};
   std::vector<OutputFile> files;

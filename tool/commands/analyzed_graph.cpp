@@ -22,7 +22,7 @@ void AnalysisOptions::add_to(CLI::App &app) {
 Goal AnalysisOptions::goal(Costs const &costs) const {
   constexpr double longest = 1e15;
   double const parts = std::floor(length * static_cast<double>(costs.scale) + 1e-6);
-  if (!(parts < longest)) fail(DiagnosticId::bad_option, {}, "--length is no length of a schedule");
+  if (!(parts < longest)) fail(DiagnosticId::bad_option, {}, "--length is not a length of a schedule");
   return {units, length == 0 ? 0 : std::max<Time>(static_cast<Time>(parts), 1)};
 }
 

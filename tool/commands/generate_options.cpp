@@ -26,6 +26,7 @@ void GenerateOptions::add_to(CLI::App &command) {
   command.add_option("--dump", dump, "Also write these stages as text beside the output: optimised, plan")
       ->type_name("STAGES")
       ->delimiter(',')
+      ->allow_extra_args(false)
       ->check(CLI::IsMember({"optimised", "plan"}));
   command.add_option("--depfile", depfile, "Also write the dependencies of the result as a make rule")
       ->type_name("FILE");

@@ -38,10 +38,10 @@ bool emits_code(Options const &options) { return options.bundle.is_given() || !o
 
 void require_sense(CLI::App const &command, Options const &options) {
   EmitterOptions const &emitter = options.emitter;
-  if (!emits_code(options) && (!emitter.extras.empty() || !emitter.prefix.empty() || emitter.trace_comments ||
-                               emitter.check_values || !emitter.map_file.empty() || emitter.is_single()))
+  if (!emits_code(options) && (!emitter.extras.empty() || !emitter.prefix.empty() || !emitter.debug.empty() ||
+                               !emitter.map_file.empty() || emitter.is_single()))
     fail(DiagnosticId::option_without_effect, {},
-         "--prefix, --real, --mainline, --mex, --simulink, --trace-comments, --map and --check-values shape generated "
+         "--prefix, --real, --mainline, --mex, --simulink, --map and --debug shape generated "
          "code: use "
          "--lang=c");
   require_compatible(command);
@@ -83,9 +83,9 @@ Input read_input(Options const &options) {
          "--differentiate works on graphs, and '" + options.file + "' is a plan");
   if (options.passes.is_given())
     fail(DiagnosticId::option_without_effect, {}, "passes work on graphs, and '" + options.file + "' is a plan");
-  if (options.emitter.check_values)
+  if (options.emitter.debugs("values"))
     fail(DiagnosticId::option_without_effect, {},
-         "--check-values lays a graph out in its own way, and '" + options.file + "' is a plan");
+         "--debug=values lays a graph out in its own way, and '" + options.file + "' is a plan");
   if (options.parallel.is_given())
     fail(DiagnosticId::option_without_effect, {},
          "--parallel shares out a graph, and '" + options.file + "' is a plan, which says itself who computes what");

@@ -30,11 +30,16 @@ void EmitterOptions::add_to(CLI::App &app) {
   add_extra("mainline", "Also emit a program that runs the generated code");
   add_extra("mex", "Also emit a MEX gateway to the C code, for MATLAB and Octave");
   add_extra("simulink", "Also emit an S-function that calls the C code, for Simulink");
-  app.add_flag("--trace-comments", trace_comments, "Annotate each statement with its source lines");
   app.add_option("--map", map_file, "Also write a map from generated lines to source lines, as JSON")
       ->type_name("FILE");
-  app.add_flag("--check-values", check_values,
-               "Emit debug code that reports the first NaN or infinity with its source line");
+  app.add_option(
+         "--debug", debug,
+         "Emit aids: comments with the source lines of each statement; values: report the first NaN or infinity "
+         "of a call with its source line")
+      ->type_name("AIDS")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->check(CLI::IsMember({"comments", "values"}));
 }
 
 bool EmitterOptions::is_single() const {

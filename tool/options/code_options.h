@@ -9,9 +9,11 @@
 #include "tool/options/pass_options.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace symreal::tool {
@@ -20,8 +22,9 @@ namespace symreal::tool {
 struct EmitterOptions {
   std::string prefix, real = "double", sines; // sines: empty if not given
   std::set<std::string, std::less<>> extras;  // optional files (emit/language/language.h)
-  bool trace_comments = false, check_values = false;
-  Nesting nesting() const { return check_values ? Nesting::none : Nesting::bounded; }
+  std::vector<std::string> debug;             // aids
+  bool debugs(std::string_view aid) const { return std::ranges::find(debug, aid) != debug.end(); }
+  Nesting nesting() const { return debugs("values") ? Nesting::none : Nesting::bounded; }
   std::string map_file;
   std::string reference; // as in EmitOptions
 

@@ -49,10 +49,15 @@ struct Pairs {
   std::string_view message; // {}: the option that is too much or lacks the other
 };
 
-// Is the option given? Not if it is a flag that is set to false, or an empty word.
+// Is the option given, as in --debug=values with this word? Not if it is a flag that is set to false, or an empty word.
 bool is_given(CLI::App const &command, std::string const &name) {
-  CLI::Option const *const option = command.get_option_no_throw(name);
+  std::size_t const end = std::min(name.find('='), name.size());
+  CLI::Option const *const option = command.get_option_no_throw(name.substr(0, end));
   if (!option || option->count() == 0) return false;
+  if (end != name.size()) {
+    std::vector<std::string> const words = option->as<std::vector<std::string>>();
+    return std::ranges::find(words, name.substr(end + 1)) != words.end();
+  }
   bool const is_flag = option->get_items_expected_max() == 0;
   return is_flag ? option->as<bool>() : option->results() != std::vector<std::string>{""};
 }

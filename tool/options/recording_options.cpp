@@ -1,40 +1,66 @@
 #include "tool/options/recording_options.h"
 
 #include "engine/graph/graph.h"
+#include "engine/graph/graph_line.h"
 #include "engine/support/files.h"
 #include "program/build/durable_files.h"
 #include "tool/options/option_table.h"
 
+#include <algorithm>
 #include <optional>
 
 namespace symreal::tool {
+
+namespace {
+
+std::size_t number_up_to(std::size_t most, std::string const &text) {
+  std::optional<std::uint32_t> const number = parse_natural(text);
+  return number && *number <= most ? *number : 0;
+}
+
+// Takes one limit of --explore.
+void take_limit(std::string const &limit, program::ExploreBounds &bounds) {
+  std::size_t const end = std::min(limit.find('='), limit.size());
+  std::string const name = limit.substr(0, end), value = end == limit.size() ? "" : limit.substr(end + 1);
+  bool is_known = true;
+  if (name == "paths")
+    is_known = (bounds.paths = number_up_to(100'000, value)) != 0;
+  else if (name == "depth")
+    is_known = (bounds.depth = number_up_to(10'000, value)) != 0;
+  else if (name == "zeros")
+    is_known = (bounds.zeros = value == "explore") || value == "guard";
+  else if (name == "joins")
+    is_known = (bounds.joins = value == "on") || value == "off";
+  else
+    is_known = false;
+  if (!is_known)
+    fail(DiagnosticId::bad_option, {},
+         "--explore takes paths=1..100000, depth=1..10000, zeros=guard|explore and joins=on|off, not '" + limit + "'");
+}
+
+} // namespace
 
 void DecisionsOption::add_to(CLI::App &app) {
   app.add_option("--decisions", policy,
                  "Treatment of decisions on symbolic values: error, guard, select, explore or auto")
       ->capture_default_str();
-  max_paths = app.add_option("--max-paths", bounds.paths, "Maximum paths per kernel (explore, auto)")
-                  ->check(CLI::Range(1, 100000))
-                  ->capture_default_str();
-  max_depth = app.add_option("--max-depth", bounds.depth, "Maximum decisions per path (explore, auto)")
-                  ->check(CLI::Range(1, 10000))
-                  ->capture_default_str();
-  zero_tests =
-      app.add_option("--zero-tests", zeros, "Treatment of tests for exact zero: guard or explore (explore, auto)")
-          ->capture_default_str();
+  explore = app.add_option("--explore", limits,
+                           "Limits of explore and auto: paths=128 of a kernel, depth=64 decisions of a path, "
+                           "zeros=guard|explore for tests for exact zero, joins=on|off for paths that meet again")
+                ->type_name("LIMIT=VALUE,...")
+                ->delimiter(',')
+                ->allow_extra_args(false);
   met = app.add_option("--paths-met", paths_met,
                        "Table of samples (CSV); guards refuse branches that no sample takes (explore, auto)")
             ->type_name("FILE");
-  join = app.add_option("--joins", joins, "Merge paths that reach the same state again, on or off (explore, auto)")
-             ->capture_default_str();
 }
 
 void DecisionsOption::require_sense() const {
   require_one_of("--decisions", policy, "error|guard|select|explore|auto");
-  require_one_of("--zero-tests", zeros, "guard|explore");
-  require_one_of("--joins", joins, "on|off");
+  program::ExploreBounds bounds;
+  for (std::string const &limit : limits) take_limit(limit, bounds);
   if (is_exploring()) return;
-  for (CLI::Option const *bound : {max_paths, max_depth, zero_tests, join, met})
+  for (CLI::Option const *bound : {explore, met})
     if (bound->count() != 0)
       fail(DiagnosticId::option_without_effect, {},
            bound->get_name() + " has no effect without --decisions=explore or auto");
@@ -46,9 +72,8 @@ std::string met_hash(std::string const &file) {
 }
 
 std::string DecisionsOption::of_recording() const {
-  program::ExploreBounds all = bounds;
-  all.zeros = zeros == "explore";
-  all.joins = joins == "on";
+  program::ExploreBounds all;
+  for (std::string const &limit : limits) take_limit(limit, all);
   all.selects = policy == "auto";
   if (!paths_met.empty()) all.met = met_hash(paths_met);
   return is_exploring() ? program::explore_policy(all) : policy;

@@ -12,18 +12,18 @@
 
 namespace symreal::tool {
 
-// --decisions, --max-paths, --max-depth, --zero-tests, --joins, --paths-met.
+// --decisions, --explore, --paths-met.
 struct DecisionsOption {
-  std::string policy = "error", zeros = "guard", joins = "on";
-  program::ExploreBounds bounds;
-  std::string paths_met; // table of samples
-  CLI::Option const *max_paths = nullptr, *max_depth = nullptr, *zero_tests = nullptr, *join = nullptr, *met = nullptr;
+  std::string policy = "error";
+  std::vector<std::string> limits; // NAME=VALUE
+  std::string paths_met;           // table of samples
+  CLI::Option const *explore = nullptr, *met = nullptr;
 
   bool is_exploring() const { return policy == "explore" || policy == "auto"; }
   void add_to(CLI::App &app);
   // Throws bad_option, option_without_effect.
   void require_sense() const;
-  // Policy with its bounds, as a recording takes it. Throws unreadable_file.
+  // Policy with its bounds, as a recording takes it. Throws bad_option, unreadable_file.
   std::string of_recording() const;
 };
 

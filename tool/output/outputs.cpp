@@ -142,8 +142,8 @@ std::vector<OutputFile> emitted_files(std::vector<LanguagePlan> const &plans, Em
                          options.prefix,
                          mode,
                          options.extras,
-                         options.trace_comments,
-                         options.check_values,
+                         options.debugs("comments"),
+                         options.debugs("values"),
                          options.is_single(),
                          !options.map_file.empty(),
                          options.reference};

@@ -174,7 +174,7 @@ void require_replaceable(rewrite::Kernel const &kernel) {
          fmt::format("--wrapper cannot take the place of '{}': {}", kernel.name, obstacle));
   if (kernel.signature.returns_value && !returns_output)
     fail(DiagnosticId::no_wrapper, kernel.place,
-         "--wrapper cannot return what '" + kernel.name + "' returns, which is no output: add output(return)");
+         "--wrapper cannot return what '" + kernel.name + "' returns, which is not an output: add output(return)");
 }
 
 fs::path real_path(fs::path const &path) {

@@ -35,7 +35,7 @@ public:
   std::vector<std::vector<OutputFile>> files(std::vector<Diagnostic> &told) const;
 
 private:
-  // What takes the place of one function.
+  // Text that takes the place of one function.
   struct Replaced {
     rewrite::Kernel kernel;
     std::string wrapper; // path of the wrapper, without extension

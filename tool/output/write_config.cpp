@@ -168,7 +168,7 @@ std::string with_clauses(std::string const &file, std::vector<Lacking> const &la
     if (!one.kernel.is_function || one.kernel.place.file == "--kernel")
       fail(DiagnosticId::configuration, one.kernel.place,
            "kernel '" + one.kernel.name +
-               "' is no function with a pragma, which an entry could name: add the clause here");
+               "' is not a function with a pragma, which an entry could name: add the clause here");
     if (known)
       extend_entry(changes, *known, clauses);
     else if (kernels)

@@ -127,7 +127,7 @@ TEST(Language, WhatItHasNotIsAnError) {
                  "kernel 'k' needs integers of 64 bits");
   expect_refused("%0 = input 0\n%1 = lt 0 %0\nresult 0 %0\nguard 0 %1 \"0 < x\"\n", {}, "kernel 'k' needs guards");
   expect_refused("%0 = input 0\nresult 0 %0\n", {.extras = {"mainline"}}, "--mainline needs a file of its own");
-  expect_refused("%0 = input 0\nresult 0 %0\n", {.check_values = true}, "--check-values needs reports of values");
+  expect_refused("%0 = input 0\nresult 0 %0\n", {.check_values = true}, "--debug=values needs reports of values");
 }
 
 TEST(Language, PatternsFillTheirPlaces) {
