@@ -47,7 +47,7 @@ std::unique_ptr<Replay> Subject::start(char const *what, std::string const &exec
                                        std::string const &profile) const {
   wire::Request request;
   std::string const &others = recorded.kernel.signature.redefinition.result.others;
-  if (options.wrapper && !others.empty()) request.set(wire::Entry::returned, others);
+  if (!options.wrapper.empty() && !others.empty()) request.set(wire::Entry::returned, others);
   request.set(wire::Entry::changeable, changeable_);
   return std::make_unique<Replay>(what, executable, run, recorded.begun_as, graph, *front.workspace, with, profile,
                                   std::move(request));

@@ -29,7 +29,7 @@ struct VerificationOptions {
   std::vector<Sample> given = {};    // samples in addition to the drawn ones
   std::vector<Sample> replayed = {}; // samples in place of the drawn ones, if any
   double tolerance = 1e-9;           // for mode fast and single precision
-  bool wrapper = false;              // also verify the wrapper; requires the kernel's baked values
+  std::string wrapper = {};          // program that tests its wrapper (program::build_wrapped); empty: there is none
   bool branches = false;             // also count the branches of the original
   unsigned exact_bits = 0;           // also compare with exact values of this many bits; 0: do not
 };

@@ -16,8 +16,7 @@ class Wrapper final : public Check {
 public:
   Wrapper(Subject &subject, Verification &result)
       : subject_(subject),
-        path_(build_wrapped(subject.front, subject.recorded)),
-        program_(subject.start("the original with its wrapper", path_, &subject.code)),
+        program_(subject.start("the original with its wrapper", subject.options.wrapper, &subject.code)),
         result_(result) {
     result_.wrapped.resize(subject.graph.output_count());
   }
@@ -82,8 +81,8 @@ private:
   std::optional<Results> results(std::string const &wish) const {
     wire::Request request;
     request.set(wire::Entry::vary, wish);
-    Replay program("the original with its wrapper", path_, subject_.run, subject_.recorded.begun_as, subject_.graph,
-                   *subject_.front.workspace, &subject_.code, {}, std::move(request));
+    Replay program("the original with its wrapper", subject_.options.wrapper, subject_.run, subject_.recorded.begun_as,
+                   subject_.graph, *subject_.front.workspace, &subject_.code, {}, std::move(request));
     Results all;
     try {
       for (Sample const &sample : varied_) all.push_back(program.run(sample));
@@ -115,7 +114,6 @@ private:
   }
 
   Subject &subject_;
-  std::string path_;
   std::unique_ptr<Replay> program_;
   std::vector<Sample> varied_;
   std::size_t tried_calls_ = 0;
@@ -125,7 +123,7 @@ private:
 } // namespace
 
 std::unique_ptr<Check> check_wrapper(Subject &subject, Verification &result) {
-  return subject.options.wrapper ? std::make_unique<Wrapper>(subject, result) : nullptr;
+  return !subject.options.wrapper.empty() ? std::make_unique<Wrapper>(subject, result) : nullptr;
 }
 
 } // namespace symreal::program

@@ -126,8 +126,9 @@ void require_named(Recorded const &recorded) {
 
 // Statements that print the values. The request gives the file's name, since objects are cached across runs.
 std::string tell(Recorded const &recorded) {
-  std::string text = "if (SYMREAL_ORIGINAL_IS_ACTIVE) { int const symreal_file = "
-                     "symreal_create(symreal_requested(\"baked\"), 0600); ";
+  std::string text = fmt::format("if ({} && SYMREAL_ORIGINAL_IS_ACTIVE) {{ int const symreal_file = "
+                                 "symreal_create(symreal_requested(\"baked\"), 0600); ",
+                                 is_run_of(recorded));
   for (BakedObject const &one : recorded.baked) {
     std::vector<std::string> lengths;
     for (rewrite::Section const &section : one.what.sections) {
@@ -144,6 +145,30 @@ std::string tell(Recorded const &recorded) {
             " symreal_print(symreal_file, \"end\\n\"); ";
   }
   return text + "symreal_quit(0); }";
+}
+
+Insertion teller(Recorded const &recorded) {
+  bool const c = is_c(recorded.kernel);
+  std::vector<std::string> blocks = {c ? patterns::tellers_in_c
+                                       : fmt::format("extern \"C\" {{{}}}", patterns::tellers_in_c)};
+  for (std::string &block : baked_helpers(recorded)) blocks.push_back(std::move(block));
+  if (has_walked(recorded.baked)) blocks.emplace_back(patterns::tellers_in_cxx);
+  return {&recorded.kernel, tell(recorded), "", std::move(blocks), compares_classes(recorded)};
+}
+
+// Fills in which values there are; returns whether there are any. Throws no_wrapper for one that cannot be compared.
+bool find_baked(Recorded &recorded) {
+  recorded.baked.clear();
+  for (Baked const &one : recorded.kernel.signature.redefinition.baked) {
+    if (one.shape.starts_with('?')) refuse(recorded, one, one.shape.substr(1));
+    recorded.baked.push_back({one, {}, {}});
+  }
+  keep_read(recorded.baked, recorded.graph.frozen);
+  add_overlaps(recorded);
+  for (BakedObject const &one : recorded.baked)
+    if (has_kind({one}, 'x')) refuse(recorded, one.what, "the kernel reads a private member of it");
+  require_named(recorded);
+  return !recorded.baked.empty();
 }
 
 void read_values(Recorded &recorded, std::string const &path) {
@@ -172,38 +197,37 @@ void read_values(Recorded &recorded, std::string const &path) {
 
 } // namespace
 
-void add_baked_values(Front const &front, RunOptions const &run, Recorded &recorded) {
-  recorded.baked.clear();
-  for (Baked const &one : recorded.kernel.signature.redefinition.baked) {
-    if (one.shape.starts_with('?')) refuse(recorded, one, one.shape.substr(1));
-    recorded.baked.push_back({one, {}, {}});
-  }
-  keep_read(recorded.baked, recorded.graph.frozen);
-  add_overlaps(recorded);
-  for (BakedObject const &one : recorded.baked)
-    if (has_kind({one}, 'x')) refuse(recorded, one.what, "the kernel reads a private member of it");
-  require_named(recorded);
-  if (recorded.baked.empty()) return;
-  rewrite::Result telling =
-      front.annotated.files.empty() ? rewrite::annotated_original(front.rewritten) : front.annotated;
-  std::string const path = front.workspace->directory("baked") + "/" + identifier(recorded.kernel.name);
-  std::string top = is_c(recorded.kernel) ? "" : "extern \"C\" {";
-  top += patterns::tellers_in_c;
-  top += is_c(recorded.kernel) ? "" : "}\n";
-  for (std::string const &block : baked_helpers(recorded)) top += block;
-  if (has_walked(recorded.baked)) top += patterns::tellers_in_cxx;
-  insert_in_wrapper_place(telling, recorded.kernel, tell(recorded), top, compares_classes(recorded));
-  Overlay const text(telling, front.workspace->directory("annotated-baked"));
-  constexpr std::array variants = {Variant::wrapped};
-  std::string const program = build_variants(front.build, variants, *front.overlay, text, *front.workspace).front();
-  Command command{.arguments = {program},
-                  .directory = run.directory,
-                  .standard_input = run.standard_input,
-                  .time_limit = run.time_limit};
-  command.arguments.insert(command.arguments.end(), run.arguments.begin(), run.arguments.end());
-  command.request.set(wire::Entry::baked, path);
-  (void)program::run(command, [](std::string_view) {});
-  read_values(recorded, path);
+Refusals add_baked_values(Front const &front, RunOptions const &run, std::span<Recorded *const> kernels) {
+  Refusals refused;
+  auto const without_refused = [&](std::span<Recorded *const> all, auto const &add) {
+    std::vector<Recorded *> rest;
+    for (Recorded *one : all) try {
+        if (add(*one)) rest.push_back(one);
+      } catch (DiagnosticError const &error) {
+        if (error.diagnostic().id != DiagnosticId::no_wrapper) throw;
+        refused.emplace(one, error.diagnostic());
+      }
+    return rest;
+  };
+  std::vector<Recorded *> const told = without_refused(kernels, [](Recorded &one) { return find_baked(one); });
+  if (told.empty()) return refused;
+  std::vector<Insertion> insertions;
+  for (Recorded const *one : told) insertions.push_back(teller(*one));
+  std::string const program = build_with(front, insertions, "annotated-baked");
+  without_refused(told, [&](Recorded &one) {
+    std::string const path = front.workspace->directory("baked") + "/" + identifier(one.kernel.name);
+    Command command{.arguments = {program},
+                    .directory = run.directory,
+                    .standard_input = run.standard_input,
+                    .time_limit = run.time_limit};
+    command.arguments.insert(command.arguments.end(), run.arguments.begin(), run.arguments.end());
+    command.request.set(wire::Entry::baked, path);
+    command.request.set(wire::Entry::replay_kernel, one.begun_as);
+    (void)program::run(command, [](std::string_view) {});
+    read_values(one, path);
+    return true;
+  });
+  return refused;
 }
 
 // Compares pointers first: a null pointer must not be followed.

@@ -6,13 +6,19 @@
 #pragma once
 
 #include "program/record/front.h"
+
 #include "program/wrapper/baked_shape.h"
+#include <map>
+#include <span>
 
 namespace symreal::program {
 
-// Fills in `baked` for a function kernel: builds the original with statements that print the values, and runs it.
-// Builds nothing if there are no values. Throws no_wrapper for values that cannot be compared.
-void add_baked_values(Front const &front, RunOptions const &run, Recorded &recorded);
+using Refusals = std::map<Recorded const *, Diagnostic>;
+
+// Fills in `baked` for function kernels: builds the original with statements that print the values, and runs it for
+// each. Builds nothing if there are no values. Returns the kernels that have no wrapper, since a value cannot be
+// compared, and why.
+Refusals add_baked_values(Front const &front, RunOptions const &run, std::span<Recorded *const> kernels);
 
 // Statements that compare every value. On a difference the call ends with a message, or symreal_same becomes 0.
 enum class Otherwise { refuse, remember };

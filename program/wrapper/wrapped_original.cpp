@@ -176,7 +176,7 @@ std::string variations(std::vector<Variation> const &all, std::string Variation:
 std::string statements_before(Recorded const &recorded) {
   std::vector<Variation> const all = wrapper_variations(recorded);
   bool const any = std::ranges::any_of(all, [](Variation const &one) { return !one.before.empty(); });
-  return any ? "{ " + variations(all, &Variation::before) + "} " : "";
+  return any ? fmt::format("if ({}) {{ {} }} ", is_run_of(recorded), variations(all, &Variation::before)) : "";
 }
 
 std::string statements(Recorded const &recorded) {
@@ -185,11 +185,11 @@ std::string statements(Recorded const &recorded) {
     returns = true;
     return "return " + recorded.kernel.signature.redefinition.result.begin + ", " + value + ");";
   });
-  return fmt::format("if (SYMREAL_ORIGINAL_IS_ACTIVE) {{ {} if (symreal_varied >= 0) {{ int symreal_same = 1; {} "
+  return fmt::format("if ({} && SYMREAL_ORIGINAL_IS_ACTIVE) {{ {} if (symreal_varied >= 0) {{ int symreal_same = 1; {} "
                      "if (symreal_same) {{ {} {} if (symreal_original_compute(symreal_input, {}, symreal_output) == 0) "
                      "{{ {} {} }} }} }} }}",
-                     variations(wrapper_variations(recorded), &Variation::statement), checks(recorded),
-                     wrapper_arrays(recorded.graph), packing(recorded),
+                     is_run_of(recorded), variations(wrapper_variations(recorded), &Variation::statement),
+                     checks(recorded), wrapper_arrays(recorded.graph), packing(recorded),
                      recorded.graph.parameter_count() == 0 ? "0" : "symreal_parameters", unpacking,
                      returns ? "" : "return;");
 }
@@ -210,21 +210,37 @@ std::vector<Variation> wrapper_variations(Recorded const &recorded) {
   return all;
 }
 
-void insert_in_wrapper_place(rewrite::Result &annotated, rewrite::Kernel const &kernel, std::string const &statements,
-                             std::string const &top, bool with_classes, std::string const &before) {
-  std::string const place = rewrite::place_arguments(kernel.name, kernel.place),
-                    mark = "SYMREAL_ORIGINAL_WRAPPER(" + place + ")";
-  bool is_found = false;
-  for (rewrite::File &file : annotated.files)
-    if (std::size_t const at = file.text.find(mark); at != file.text.npos) {
-      file.text.replace(at, mark.size(), on_one_line(statements));
+std::string is_run_of(Recorded const &recorded) {
+  return fmt::format("__builtin_strcmp(symreal_requested(\"replay_kernel\"), \"{}\") == 0", recorded.begun_as);
+}
+
+std::string build_with(Front const &front, std::vector<Insertion> const &insertions, std::string const &directory) {
+  rewrite::Result text = front.annotated.files.empty() ? rewrite::annotated_original(front.rewritten) : front.annotated;
+  std::vector<std::string> known; // blocks, which several files of one translation unit may need
+  for (rewrite::File &file : text.files) {
+    std::string top;
+    for (Insertion const &one : insertions) {
+      std::string const place = rewrite::place_arguments(one.kernel->name, one.kernel->place),
+                        mark = "SYMREAL_ORIGINAL_WRAPPER(" + place + ")";
+      std::size_t const at = file.text.find(mark);
+      if (at == file.text.npos) continue;
+      file.text.replace(at, mark.size(), on_one_line(one.statements));
       std::size_t const begin = file.text.rfind("SYMREAL_ORIGINAL_FUNCTION(" + place, at);
       internal_check(begin != file.text.npos);
-      file.text.insert(begin, on_one_line(before));
-      file.text.insert(0, (with_classes ? "#include <typeinfo>\n" : "") + on_one_line(top) + "\n#line 1\n");
-      is_found = true;
+      file.text.insert(begin, on_one_line(one.before));
+      if (one.with_classes) top += "#include <typeinfo>\n";
+      for (std::string const &block : one.blocks) {
+        auto const number = std::ranges::find(known, block) - known.begin();
+        if (static_cast<std::size_t>(number) == known.size()) known.push_back(block);
+        top += fmt::format("#ifndef SYMREAL_BLOCK_{0}\n#define SYMREAL_BLOCK_{0}\n{1}\n#endif\n", number,
+                           on_one_line(block));
+      }
     }
-  internal_check(is_found);
+    if (!top.empty()) file.text.insert(0, top + "#line 1\n");
+  }
+  Overlay const overlay(text, front.workspace->directory(directory));
+  constexpr std::array variants = {Variant::wrapped};
+  return build_variants(front.build, variants, *front.overlay, overlay, *front.workspace).front();
 }
 
 bool is_wrapper_of(std::string const &text, Recorded const &recorded) {
@@ -236,18 +252,18 @@ bool is_wrapper_of(std::string const &text, Recorded const &recorded) {
          (has(baked_checks(recorded, Otherwise::remember)) || has(baked_checks(recorded, Otherwise::refuse)));
 }
 
-std::string build_wrapped(Front const &front, Recorded const &recorded) {
-  rewrite::Result wrapped = front.annotated;
-  bool const is_cxx = !is_c(recorded.kernel);
-  std::string top = (is_cxx ? "extern \"C\" { " : "") + std::string(library) + (is_cxx ? "} " : "");
-  for (std::string const &block : baked_helpers(recorded)) top += block;
-  for (std::string const &block : wrapper_templates(recorded.kernel, recorded.graph)) top += block;
-  if (is_cxx) top += variation_helpers;
-  insert_in_wrapper_place(wrapped, recorded.kernel, statements(recorded), top, compares_classes(recorded),
-                          statements_before(recorded));
-  Overlay const text(wrapped, front.workspace->directory("annotated-wrapper"));
-  constexpr std::array variants = {Variant::wrapped};
-  return build_variants(front.build, variants, *front.overlay, text, *front.workspace).front();
+std::string build_wrapped(Front const &front, std::span<Recorded const *const> kernels) {
+  std::vector<Insertion> all;
+  for (Recorded const *recorded : kernels) {
+    bool const is_cxx = !is_c(recorded->kernel);
+    std::vector<std::string> blocks = {is_cxx ? fmt::format("extern \"C\" {{ {} }} ", library) : library};
+    for (auto const &more : {baked_helpers(*recorded), wrapper_templates(recorded->kernel, recorded->graph)})
+      blocks.insert(blocks.end(), more.begin(), more.end());
+    if (is_cxx) blocks.emplace_back(variation_helpers);
+    all.push_back({&recorded->kernel, statements(*recorded), statements_before(*recorded), std::move(blocks),
+                   compares_classes(*recorded)});
+  }
+  return build_with(front, all, "annotated-wrapper");
 }
 
 } // namespace symreal::program

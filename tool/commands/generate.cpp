@@ -134,18 +134,27 @@ std::vector<GenerateOptions> options_of(std::vector<program::Recorded> const &ke
   return all;
 }
 
+// Adds what the wrappers must compare. Returns the kernels that have none.
+program::Refusals add_baked_values(program::Front &front, program::RunOptions const &run,
+                                   GenerateOptions const &options) {
+  if (!options.wrapper) return {};
+  std::vector<program::Recorded *> functions;
+  for (program::Recorded &one : front.kernels) {
+    if (!one.graph.wishes.empty() && !options.differentiate.separate)
+      fail(DiagnosticId::bad_option, one.graph.wishes.front().place, no_derivatives_in_wrapper);
+    if (one.kernel.is_function) functions.push_back(&one);
+  }
+  return program::add_baked_values(front, program::run_of(front, run), functions);
+}
+
 // The products of a kernel: its own, and with --separate that of its derivatives.
 std::vector<Product> products_of(program::Recorded &recorded, program::Front const &front, Wrappers &wrappers,
-                                 program::RunOptions const &run, GenerateOptions const &options, Console &console) {
+                                 GenerateOptions const &options, Console &console) {
   auto const start = std::chrono::steady_clock::now();
   bool const several = front.kernels.size() > 1;
   (void)find_states(recorded.graph);
   std::ostringstream text;
   if (!options.graph_file.empty()) write_graph(text, recorded.graph);
-  if (options.wrapper && !recorded.graph.wishes.empty() && !options.differentiate.separate)
-    fail(DiagnosticId::bad_option, recorded.graph.wishes.front().place, no_derivatives_in_wrapper);
-  if (options.wrapper && recorded.kernel.is_function)
-    program::add_baked_values(front, program::run_of(front, run), recorded);
   FunctionGraphs graphs = differentiated(std::move(recorded.graph), options, console);
   std::vector<Product> products(1);
   if (graphs.derivatives)
@@ -192,8 +201,11 @@ std::optional<std::vector<Product>> generate(program::FrontRequest const &reques
   std::vector<GenerateOptions> const options_each = options_of(front.kernels, options);
   std::vector<std::vector<Product>> kernels;
   std::vector<Diagnostic> refused;
+  program::Refusals const incomparable = add_baked_values(front, request.run, options);
   for (std::size_t k = 0; k < front.kernels.size(); ++k) try {
-      kernels.push_back(products_of(front.kernels[k], front, wrappers, request.run, options_each[k], console));
+      if (auto const one = incomparable.find(&front.kernels[k]); one != incomparable.end())
+        throw DiagnosticError(one->second);
+      kernels.push_back(products_of(front.kernels[k], front, wrappers, options_each[k], console));
     } catch (DiagnosticError const &error) { // the other kernels may have no wrapper either
       if (error.diagnostic().id != DiagnosticId::no_wrapper) throw;
       refused.push_back(error.diagnostic());

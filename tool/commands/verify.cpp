@@ -171,40 +171,58 @@ Generated read_generated(CLI::App &command, Options &options, Session &session) 
 // The recorded programs, which generated files of the same options share.
 class Fronts {
 public:
-  Fronts(Options const &options, Session &session, std::vector<std::string> const &kernels, Console &console)
+  Fronts(Options const &options, Session &session, Generated const &generated, Console &console)
       : options_(options),
         session_(session),
-        kernels_(kernels),
+        generated_(generated),
         console_(console) {}
 
   // The program of the banner's options; null after an error was reported.
   program::Front *of(program::Banner const &banner) {
-    if (front_ && banner.decisions == run.decisions && banner.from_instructions == run.from_instructions &&
-        to_string(banner.mode) == run.floating_point)
-      return &*front_;
+    if (front_ && is_of(banner)) return &*front_;
     front_.reset();
-    front_ = make_front(options_, session_, banner, kernels_, run, console_);
-    return front_ ? &*front_ : nullptr;
+    front_ = make_front(options_, session_, banner, generated_.kernels, run, console_);
+    if (!front_) return nullptr;
+    wrappers = find_wrappers(*front_, run, with_values());
+    return &*front_;
   }
   program::Front *last() { return front_ ? &*front_ : nullptr; }
 
   program::RunOptions run; // of the program
+  FoundWrappers wrappers;  // of its kernels
 
 private:
+  bool is_of(program::Banner const &banner) const {
+    return banner.decisions == run.decisions && banner.from_instructions == run.from_instructions &&
+           to_string(banner.mode) == run.floating_point;
+  }
+
+  // The program's generated files that a wrapper may call.
+  std::vector<GeneratedKernel> with_values() {
+    std::vector<GeneratedKernel> all;
+    for (std::size_t k = 0; k < generated_.paths.size(); ++k) {
+      program::Banner const &banner = generated_.banners[k];
+      if (!is_of(banner) || banner.is_single || !banner.derivatives.empty()) continue;
+      program::Recorded const &recorded = program::require_match(front_->kernels, banner, generated_.paths[k]);
+      all.push_back({generated_.paths[k], banner.prefix,
+                     &front_->kernels[static_cast<std::size_t>(&recorded - front_->kernels.data())]});
+    }
+    return all;
+  }
+
   Options const &options_;
   Session &session_;
-  std::vector<std::string> const &kernels_;
+  Generated const &generated_;
   Console &console_;
   std::optional<program::Front> front_;
 };
 
 // The user's options, as this file and the kernel allow.
-program::VerificationOptions options_for(Options const &options, program::Front &front, program::RunOptions const &run,
+program::VerificationOptions options_for(Options const &options, FoundWrappers const &wrappers,
                                          program::Recorded const &recorded, std::string const &path,
                                          program::Banner const &banner) {
   program::VerificationOptions asked = options.verification;
-  asked.wrapper =
-      !banner.is_single && banner.derivatives.empty() && has_wrapper(front, run, path, banner.prefix, recorded);
+  if (wrappers.of.contains(path)) asked.wrapper = wrappers.program;
   if (banner.is_single && options.tolerance->count() == 0 && options.check.empty())
     asked.tolerance = program::single_tolerance;
   if (!options.paths_met.empty()) asked.given = program::read_sample_table(options.paths_met, recorded.graph);
@@ -221,7 +239,7 @@ int verify_file(Options const &options, Fronts &fronts, std::string const &path,
   program::Recorded const &recorded = program::require_match(front->kernels, banner, path);
   if (!program::require_header(path, banner, recorded.graph))
     console.note("there is no " + program::header_of(path) + ": what it declares was not checked");
-  program::VerificationOptions const asked = options_for(options, *front, fronts.run, recorded, path, banner);
+  program::VerificationOptions const asked = options_for(options, fronts.wrappers, recorded, path, banner);
   program::Verification const verification = program::verify(*front, fronts.run, recorded, path, banner, asked);
   console.clear();
   print_verification(std::cerr, recorded.graph, verification);
@@ -258,7 +276,7 @@ int run(CLI::App &command, Options &options, Session &session) {
   Generated const generated = read_generated(command, options, session);
   require_writable(std::vector{options.certificate});
   Console console;
-  Fronts fronts(options, session, generated.kernels, console);
+  Fronts fronts(options, session, generated, console);
   std::vector<VerificationRecord> records;
   int status = clean;
   for (std::size_t k = 0; k < generated.paths.size(); ++k) {

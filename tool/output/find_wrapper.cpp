@@ -6,8 +6,10 @@
 #include "rewrite/text/source_text.h"
 #include "verify/generated_code.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <optional>
+#include <utility>
 
 namespace symreal::tool {
 namespace {
@@ -62,17 +64,29 @@ bool is_wrapper_of(std::string const &text, std::string const &prefix, program::
 
 } // namespace
 
-bool has_wrapper(program::Front &front, program::RunOptions const &run, std::string const &generated,
-                 std::string const &prefix, program::Recorded const &recorded) {
-  if (!recorded.kernel.is_function || program::is_generated_cpp(generated)) return false;
-  std::optional<std::string> const path = find_wrapper(generated, prefix, recorded.kernel);
-  if (!path) return false;
-  for (program::Recorded &one : front.kernels)
-    if (&one == &recorded) program::add_baked_values(front, run, one);
-  if (!is_wrapper_of(read_file(*path), prefix, recorded))
-    fail(DiagnosticId::foreign_file, {*path, 1, 1},
-         "this wrapper was generated for another form of kernel '" + recorded.kernel.name + "'");
-  return true;
+FoundWrappers find_wrappers(program::Front const &front, program::RunOptions const &run,
+                            std::vector<GeneratedKernel> const &generated) {
+  FoundWrappers found;
+  std::vector<std::pair<GeneratedKernel const *, std::string>> wrappers; // with paths
+  std::vector<program::Recorded *> kernels;
+  for (GeneratedKernel const &one : generated) {
+    if (!one.recorded->kernel.is_function || program::is_generated_cpp(one.path)) continue;
+    std::optional<std::string> const path = find_wrapper(one.path, one.prefix, one.recorded->kernel);
+    if (!path) continue;
+    wrappers.emplace_back(&one, *path);
+    if (std::ranges::find(kernels, one.recorded) == kernels.end()) kernels.push_back(one.recorded);
+  }
+  if (wrappers.empty()) return found;
+  program::Refusals const refused = program::add_baked_values(front, run, kernels);
+  for (auto const &[one, path] : wrappers) {
+    if (auto const why = refused.find(one->recorded); why != refused.end()) throw DiagnosticError(why->second);
+    if (!is_wrapper_of(read_file(path), one->prefix, *one->recorded))
+      fail(DiagnosticId::foreign_file, {path, 1, 1},
+           "this wrapper was generated for another form of kernel '" + one->recorded->kernel.name + "'");
+    found.of.insert(one->path);
+  }
+  found.program = program::build_wrapped(front, std::vector<program::Recorded const *>(kernels.begin(), kernels.end()));
+  return found;
 }
 
 } // namespace symreal::tool

@@ -3,12 +3,26 @@
 
 #include "program/record/front.h"
 
+#include <set>
 #include <string>
+#include <vector>
 
 namespace symreal::tool {
 
-// Is there a wrapper of this kernel, of code with this prefix? Throws foreign_file for one of another form of it.
-bool has_wrapper(program::Front &front, program::RunOptions const &run, std::string const &generated,
-                 std::string const &prefix, program::Recorded const &recorded);
+// Generated code with its kernel.
+struct GeneratedKernel {
+  std::string path, prefix;
+  program::Recorded *recorded;
+};
+
+// The generated files of which a wrapper exists, and the program that tests these wrappers; empty if there is none.
+struct FoundWrappers {
+  std::set<std::string> of;
+  std::string program;
+};
+
+// Adds to the kernels what their wrappers compare. Throws foreign_file for a wrapper of another form of a kernel.
+FoundWrappers find_wrappers(program::Front const &front, program::RunOptions const &run,
+                            std::vector<GeneratedKernel> const &generated);
 
 } // namespace symreal::tool

@@ -15,6 +15,7 @@
 #include <cstring>
 #include <filesystem>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace symreal::trace {
@@ -25,16 +26,7 @@ Kernel &Kernel::current() {
   return *kernel;
 }
 
-void Kernel::begin(MakeSink make_sink, std::string const &name, SourcePlace place) {
-  memory::OwnWork const own;
-  watch_for_crashes();
-  if (!sink_) sink_ = make_sink();
-  name_ = name;
-  begun_at_ = where(place);
-  sink_->begin(name, place.frame);
-}
-
-// Is the kernel left out of the recording? `name`: under which it would begin.
+// Is the kernel left out of the recording? `name`: under which it begins.
 static bool is_inert(std::string_view name) {
   static char const *const inert = wire::requested(wire::Entry::inert);
   for (std::string_view rest = inert ? inert : ""; !rest.empty();) {
@@ -43,6 +35,24 @@ static bool is_inert(std::string_view name) {
     rest.remove_prefix(std::min(line.size() + 1, rest.size()));
   }
   return false;
+}
+
+void Kernel::begin(MakeSink make_sink, std::string const &name, SourcePlace place) {
+  memory::OwnWork const own;
+  name_ = name;
+  begun_at_ = where(place);
+  is_plain_ = is_inert(name);
+  if (is_plain_) return;
+  watch_for_crashes();
+  if (!sink_) sink_ = make_sink();
+  sink_->begin(name, place.frame);
+}
+
+bool Kernel::end() {
+  memory::OwnWork const own; // the sink may never return
+  phase_ = Phase::none;
+  recorded_.insert(begun_at_);
+  return !std::exchange(is_plain_, false);
 }
 
 bool Kernel::begin_object(MakeSink make_sink, Kind kind, char const *label, SourcePlace place) {
@@ -55,13 +65,14 @@ bool Kernel::begin_object(MakeSink make_sink, Kind kind, char const *label, Sour
               "the program reaches output '" + std::string(label) + "' before any input of its kernel"});
       give_up();
     }
-    if (recorded_.contains(where(place)) || is_inert(to_string(at))) {
+    if (recorded_.contains(where(place))) {
       inert_region_ = true;
       return false;
     }
     begin(make_sink, to_string(at), place);
     phase_ = Phase::region;
   }
+  if (is_plain_) return false;
   sink_->begin_object(kind, label, {place.file, place.line, place.column});
   return true;
 }
@@ -92,7 +103,7 @@ static unsigned later_call() {
 
 bool Kernel::begin_function(MakeSink make_sink, char const *name, SourcePlace place, unsigned call) {
   muted_ = true;
-  if (phase_ != Phase::none || recorded_.contains(where(place)) || is_inert(name)) return false;
+  if (phase_ != Phase::none || recorded_.contains(where(place))) return false;
   if (++calls_[where(place)] != call + later_call()) return false;
   muted_ = false;
   begin(make_sink, name, place);
@@ -101,12 +112,7 @@ bool Kernel::begin_function(MakeSink make_sink, char const *name, SourcePlace pl
 }
 
 void Kernel::end_function() {
-  phase_ = Phase::none;
-  {
-    memory::OwnWork const own; // the sink may never return
-    recorded_.insert(begun_at_);
-  }
-  sink_->end(name_, "", {begun_at_.first, begun_at_.second.first, begun_at_.second.second});
+  if (end()) sink_->end(name_, "", {begun_at_.first, begun_at_.second.first, begun_at_.second.second});
 }
 
 void Kernel::end_region(char const *file_name, SourcePlace place) {
@@ -121,11 +127,7 @@ void Kernel::end_region(char const *file_name, SourcePlace place) {
             "the program reaches generate before any input of its kernel"});
     give_up();
   }
-  phase_ = Phase::none;
-  {
-    memory::OwnWork const own;
-    recorded_.insert(begun_at_);
-  }
+  if (!end()) return;
   sink_->end(std::filesystem::path(file_name).stem().string(), file_name, {place.file, place.line, place.column});
 }
 

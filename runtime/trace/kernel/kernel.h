@@ -4,7 +4,8 @@
 //   function:  none ──call──▶ entering ──inputs met──▶ inside ──return──▶ leaving ──outputs met──▶ none
 //
 // A kernel is recorded once. In a later pass over the same pragmas, in a recursive call, and inside another kernel they
-// are inert.
+// are inert. A kernel that the request leaves out begins and ends as if it was recorded, so that the others are
+// recorded in the same calls, but its annotations have no effect.
 #pragma once
 
 #include "engine/graph/graph.h"
@@ -93,8 +94,8 @@ public:
   }
 
   // False in an inert call, where the kernel may have no sink yet.
-  bool is_recording() const { return phase_ != Phase::none && !muted_ && !inert_region_; }
-  bool is_entering_function() const { return phase_ == Phase::entering; }
+  bool is_recording() const { return phase_ != Phase::none && !muted_ && !inert_region_ && !is_plain_; }
+  bool is_entering_function() const { return phase_ == Phase::entering && !is_plain_; }
   Sink &sink() { return *sink_; }
   // The objects that are annotated so far.
   Graph const &interface() const {
@@ -105,17 +106,19 @@ public:
 private:
   enum class Phase { none, region, entering, inside, leaving };
   bool takes_clauses() const {
-    return !muted_ && !inert_region_ && (phase_ == Phase::region || phase_ == Phase::entering);
+    return !muted_ && !inert_region_ && !is_plain_ && (phase_ == Phase::region || phase_ == Phase::entering);
   }
   // Identity of an annotation: its place.
   using Where = std::pair<std::string, std::pair<unsigned, unsigned>>;
   static Where where(SourcePlace place) { return {place.file, {place.line, place.column}}; }
 
   void begin(MakeSink make_sink, std::string const &name, SourcePlace place);
+  bool end(); // whether it was recorded
 
   Phase phase_ = Phase::none;
   bool muted_ = false;        // the next annotations belong to an inert call
   bool inert_region_ = false; // until its generate
+  bool is_plain_ = false;     // the request leaves out the kernel that has begun
   std::string name_;
   char const *label_ = ""; // of the last annotation
   SourcePlace place_{};
