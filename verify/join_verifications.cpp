@@ -101,7 +101,8 @@ void join(Verification &verification, Verification const &other) {
   add(verification.left, other.left);
   add(verification.unnamed, other.unnamed);
   add(verification.overwritten, other.overwritten);
-  if (verification.unexamined.empty()) verification.unexamined = other.unexamined;
+  for (auto const member : {&Verification::unexamined, &Verification::next_call_ended, &Verification::next_call_missed})
+    if ((verification.*member).empty()) verification.*member = other.*member;
   add(verification.changes_outside, other.changes_outside);
   add(verification.outside, other.outside);
   add(verification.left_by_wrapper, other.left_by_wrapper);

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstring>
+#include <fmt/format.h>
 
 namespace symreal::program {
 namespace {
@@ -44,7 +46,8 @@ std::vector<std::string> parameters_of(rewrite::Kernel const &kernel) {
   return {""};
 }
 
-constexpr unsigned seconds = 2; // time limit of a sample
+// Time limits of the program's way to its next call, and of a sample: the next call may take twice the first one's.
+constexpr unsigned seconds_to_reach = 7, seconds = 2;
 constexpr std::size_t most_samples = 4;
 
 // Must the next call be the recorded one on other inputs? True if nothing is declared constant or reported as baked in,
@@ -86,24 +89,47 @@ public:
 
   void finish() override {
     if (samples_.empty()) return;
-    try {
-      result_.next_call_different = count_different();
-    } catch (DiagnosticError const &) {
-    }
-  }
-
-private:
-  // 0 if the program makes no such call, or passes overlapping arguments that lay apart.
-  std::size_t count_different() {
     wire::Request request;
     request.set(wire::Entry::later_call, "1");
     Replay next("the original in its next call", subject_.original_program, subject_.run, subject_.recorded.begun_as,
                 subject_.recorded.graph, *subject_.front.workspace, nullptr, {}, std::move(request));
+    if (std::optional<Outcome> const outcome = next.miss(seconds_to_reach))
+      result_.next_call_missed = reason(*outcome);
+    else
+      result_.next_call_different = count_different(next);
+  }
+
+private:
+  // Empty if the program ends as programs do.
+  static std::string reason(Outcome const &outcome) {
+    if (outcome.ending == Ending::timed_out)
+      return fmt::format("the program does not come to it within {} s", seconds_to_reach);
+    if (outcome.ending == Ending::signalled)
+      return fmt::format("signal {} ({}) ends the program before it", outcome.status, strsignal(outcome.status));
+    if (outcome.status != 0) return fmt::format("the program ends before it, with status {}", outcome.status);
+    return {};
+  }
+
+  // 0 if the program passes overlapping arguments that lay apart, or ones of another shape.
+  std::size_t count_different(Replay &next) {
     Replay &first = *subject_.original;
     std::size_t different = 0;
     for (Sample const &sample : samples_) {
-      std::vector<double> const original = next.run(sample, {}, seconds);
-      (void)first.run(sample, {}, seconds);
+      std::vector<double> original;
+      try {
+        (void)first.run(sample, {}, seconds);
+      } catch (DiagnosticError const &) {
+        return 0; // takes too long
+      }
+      try {
+        original = next.run(sample, {}, 2 * seconds);
+      } catch (DiagnosticError const &error) {
+        if (next.state() == replay::State::inside)
+          result_.next_call_ended = error.diagnostic().message;
+        else if (next.state() != replay::State::wrong_shape)
+          result_.next_call_missed = "its arguments cannot be read";
+        return 0;
+      }
       std::vector<double> const nothing(original.size(), 0);
       if (first.next_inputs(sample, nothing) != next.next_inputs(sample, nothing)) return 0;
       std::vector<double> const generated = subject_.code.run(sample.inputs, sample.parameters).outputs;

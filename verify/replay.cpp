@@ -22,18 +22,24 @@ namespace symreal::program {
 
 using wire::Entry;
 
+static constexpr unsigned seconds_to_answer = 5; // beyond the time limit of a sample
+
 // Server process with its pipes and the shared file.
 struct Replay::Server {
   replay::Head *head = nullptr;
   std::size_t size = 0;
   std::uint32_t seconds = 0;       // default time limit of a sample
   int commands = -1, answers = -1; // this process's ends of the pipes
+  int stop = -1;                   // closed, it ends the program
+  bool is_waiting = false;         // the program answers, and waits for a command
   std::jthread process;
   Outcome outcome{Ending::exited}; // valid once the process has ended
 
   ~Server() {
-    if (commands >= 0) close(commands); // ends the server
+    if (commands >= 0) close(commands);  // ends the server
+    if (!is_waiting && stop >= 0) end(); // the program may run for ever
     if (process.joinable()) process.join();
+    if (stop >= 0) end();
     if (answers >= 0) close(answers);
     if (head) munmap(head, size);
   }
@@ -68,19 +74,24 @@ struct Replay::Server {
     head = new (memory) replay::Head(shape);
   }
 
+  void end() { close(std::exchange(stop, -1)); }
+
   void start(Command command, std::string const &file, std::string const &begun_as) {
-    std::array<int, 2> to, from;
-    if (pipe2(to.data(), O_CLOEXEC) != 0 || pipe2(from.data(), O_CLOEXEC) != 0)
+    std::array<int, 2> to, from, stops;
+    if (pipe2(to.data(), O_CLOEXEC) != 0 || pipe2(from.data(), O_CLOEXEC) != 0 || pipe2(stops.data(), O_CLOEXEC) != 0)
       fail(DiagnosticId::no_workspace, {}, "no pipe can be made: " + std::string(std::strerror(errno)));
     commands = to[1];
     answers = from[0];
+    stop = stops[1];
+    command.stop = stops[0];
     command.request.set(Entry::replay, fmt::format("{},{},{}", file, to[0], from[1]));
     command.request.set(Entry::replay_kernel, begun_as);
     command.inherited = {to[0], from[1]};
-    process = std::jthread([this, command, to, from] {
+    process = std::jthread([this, command, to, from, stops] {
       outcome = program::run(command, [](std::string_view) {});
       close(to[0]);
       close(from[1]);
+      close(stops[0]);
     });
   }
 };
@@ -127,6 +138,7 @@ void Replay::end_calls() {
 }
 
 void Replay::call(std::size_t function, std::span<double const> arguments, std::span<double> results) {
+  require_reached();
   replay::Head *head = server_->head;
   if (constexpr auto command = replay::Command::functions; !is_calling_) send(&command, sizeof command);
   is_calling_ = true;
@@ -139,6 +151,7 @@ void Replay::call(std::size_t function, std::span<double const> arguments, std::
 }
 
 void Replay::ask(replay::Command command, Sample const &sample, std::span<Sample const> later, unsigned seconds) {
+  require_reached();
   end_calls();
   Server &server = *server_;
   replay::Head *head = server.head;
@@ -155,19 +168,42 @@ void Replay::ask(replay::Command command, Sample const &sample, std::span<Sample
   send(&command, sizeof command);
   wait_for_answer();
   head->examines = 0;
+  if (head->state == replay::State::inside)
+    fail(DiagnosticId::replay_failed, place_, "on a sample " + what_ + " ended within its kernel");
   if (head->state != replay::State::complete)
     fail(DiagnosticId::replay_failed, place_,
          "on a sample " + what_ + " reached other annotations than in the recorded run");
 }
 
-// Waits for the answer. The server limits a sample's time; the time to the kernel's first annotation is limited here.
-void Replay::wait_for_answer() {
-  Server const &server = *server_;
+std::optional<int> Replay::answer(unsigned seconds) {
+  Server &server = *server_;
+  server.is_waiting = false;
   pollfd answer = {server.answers, POLLIN, 0};
   int status = 0;
-  int patience = static_cast<int>(server.head->seconds + 5) * 1000;
-  if (poll(&answer, 1, patience) != 1 || read(server.answers, &status, sizeof status) != sizeof status)
+  if (poll(&answer, 1, static_cast<int>(seconds) * 1000) != 1) return std::nullopt;
+  server.is_waiting = read(server.answers, &status, sizeof status) == sizeof status;
+  return server.is_waiting ? std::optional<int>(status) : std::nullopt;
+}
+
+std::optional<Outcome> Replay::miss(unsigned seconds) {
+  if (is_reached_ || (is_reached_ = answer(seconds).has_value())) return std::nullopt;
+  // The pipe of an ended program is closed at its other end.
+  pollfd closed = {server_->answers, POLLIN, 0};
+  if (poll(&closed, 1, 0) != 1) return Outcome{Ending::timed_out, 0, static_cast<double>(seconds)};
+  if (server_->process.joinable()) server_->process.join();
+  return server_->outcome;
+}
+
+void Replay::require_reached() {
+  if (miss(server_->seconds + seconds_to_answer))
     fail(DiagnosticId::replay_failed, place_, what_ + " did not reach its kernel again");
+}
+
+// Waits for the answer. The server limits a sample's time.
+void Replay::wait_for_answer() {
+  std::optional<int> const answered = answer(server_->head->seconds + seconds_to_answer);
+  if (!answered) fail(DiagnosticId::replay_failed, place_, what_ + " did not reach its kernel again");
+  int const status = *answered;
   if (WIFSIGNALED(status) && WTERMSIG(status) == SIGALRM)
     fail(DiagnosticId::replay_failed, place_, what_ + "'s kernel does not end on a sample within the time limit");
   if (WIFSIGNALED(status))
@@ -175,6 +211,8 @@ void Replay::wait_for_answer() {
          fmt::format("signal {} ({}) ended {}'s kernel on a sample", WTERMSIG(status), strsignal(WTERMSIG(status)),
                      what_));
 }
+
+replay::State Replay::state() const { return server_->head->state; }
 
 std::size_t Replay::calls() const { return server_->head->calls_done; }
 

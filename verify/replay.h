@@ -8,6 +8,7 @@
 #include "verify/generated_code.h"
 
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace symreal::program {
@@ -24,6 +25,10 @@ public:
   Replay(Replay const &) = delete;
   Replay &operator=(Replay const &) = delete;
 
+  // Waits until the program reaches the kernel, at most so many seconds. Tells if it does not.
+  std::optional<Outcome> miss(unsigned seconds);
+  // State of the last run, which tells more about one that has failed.
+  replay::State state() const;
   // Runs the kernel and returns its outputs. Throws replay_failed if the kernel does not end on this sample. `later`:
   // further calls in a row, at most `most_later`; each finds the state that the call before left and its own sample in
   // all other inputs. Without support for repeated calls only the first is made. `seconds`: a shorter time limit than
@@ -58,11 +63,13 @@ private:
   struct Server;
   void ask(replay::Command command, Sample const &sample, std::span<Sample const> later = {}, unsigned seconds = 0);
   void send(void const *bytes, std::size_t size);
+  void require_reached();
   void wait_for_answer();
+  std::optional<int> answer(unsigned seconds);
   void end_calls();
   static constexpr unsigned most_watched = 3; // number of runs watched
   unsigned watched_ = 0;
-  bool is_calling_ = false, has_run_ = false;
+  bool is_calling_ = false, has_run_ = false, is_reached_ = false;
   std::string what_;
   std::unique_ptr<Server> server_;
   Place place_; // of the kernel; for diagnostics

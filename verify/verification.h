@@ -138,7 +138,9 @@ struct Verification {
   std::string unexamined; // reason why the examination is incomplete; empty if it is complete
   // Effects of the original outside the program, described, on a few samples: lasting ones, and others.
   std::vector<LeftState> changes_outside, outside;
-  std::size_t next_call_different = 0;      // samples on which the program's own next call gives other outputs
+  std::size_t next_call_different = 0; // samples on which the program's own next call gives other outputs
+  std::string next_call_ended;         // how the original ends within that call, where the first call returns; or empty
+  std::string next_call_missed;        // reason why there is none to compare, unless the program just ends before it
   std::vector<LeftState> missed_by_wrapper; // changed values that the wrapper misses, as words behind "the original"
 
   std::vector<GuardCheck> guards;              // of the generated code, in order

@@ -203,16 +203,18 @@ GroupUse use_of_group(pid_t group) {
   return use;
 }
 
-// Time limits of a process group.
+// Limits of a process group: times, and the caller's wish.
 class Limits {
 public:
   Limits(Command const &command, pid_t group, Clock::time_point start)
       : group_(group),
         start_(start),
         seconds_(command.time_limit),
+        stop_(command.stop),
         processor_(command.processor_limit) {}
 
-  bool any() const { return seconds_ > 0 || processor_.seconds > 0; }
+  bool any() const { return seconds_ > 0 || stop_ >= 0 || processor_.seconds > 0; }
+  int stop() const { return stop_; }
 
   // Milliseconds until the next check, -1 without limits; nullopt if the group must end.
   std::optional<int> hold() {
@@ -220,6 +222,7 @@ public:
     double left = most;
     if (seconds_ > 0) left = std::min(left, seconds_ - seconds_since(start_));
     if (left <= 0) return ended_by(Ending::timed_out);
+    if (pollfd wish = {stop_, POLLIN, 0}; stop_ >= 0 && poll(&wish, 1, 0) > 0) return ended_by(Ending::stopped);
     if (processor_.seconds > 0) {
       used_ = use_of_group(group_);
       if (processor_.seconds <= used_.seconds && processor_.further) ask();
@@ -248,6 +251,7 @@ private:
   pid_t const group_;
   Clock::time_point const start_;
   double const seconds_;
+  int const stop_;
   ProcessorLimit processor_;
   Ending ending_ = Ending::exited;
   GroupUse used_;
@@ -259,10 +263,10 @@ bool read_to_end(int descriptor, Lines &lines, Limits &limits) {
   for (;;) {
     std::optional<int> const wait = limits.hold();
     if (!wait) return false;
-    pollfd wanted = {descriptor, POLLIN, 0};
-    int ready = poll(&wanted, 1, *wait);
+    std::array<pollfd, 2> wanted = {{{descriptor, POLLIN, 0}, {limits.stop(), POLLIN, 0}}}; // poll skips -1
+    int ready = poll(wanted.data(), wanted.size(), *wait);
     if (ready < 0 && errno != EINTR) return true;
-    if (ready <= 0) continue;
+    if (ready <= 0 || wanted[0].revents == 0) continue;
     ssize_t got = read(descriptor, buffer.data(), buffer.size());
     if (got == 0 || (got < 0 && errno != EINTR)) return true;
     if (got > 0) lines.add({buffer.data(), static_cast<std::size_t>(got)});

@@ -27,6 +27,7 @@ struct Command {
   ProcessorLimit processor_limit = {};
   bool at_fixed_addresses = false; // without address randomisation, if the system permits
   std::vector<int> inherited = {}; // descriptors inherited besides 0, 1 and 2
+  int stop = -1;                   // a pipe's read end: once all write ends are closed, the processes are killed
   bool notes_opened = false;       // opened files are noted (read_files.h)
 };
 
@@ -35,6 +36,7 @@ enum class Ending {
   signalled,   // status is the signal
   timed_out,   // killed, with the processes it started
   over_limit,  // killed for exceeding the processor time
+  stopped,     // killed as the caller wished
   not_started, // status is the errno
 };
 

@@ -195,7 +195,8 @@ Diagnostic explain_missing(rewrite::Kernel const &kernel, bool begun, Outcome co
                                      strsignal(outcome.status), waited_for);
     if (outcome.status == SIGKILL) diagnostic.message += "; the system does that when memory runs out";
     break;
-  case Ending::over_limit: // unreachable: the program has no such limit
+  case Ending::over_limit: // unreachable: the program has no such limit, and runs until it is told to end
+  case Ending::stopped:
   case Ending::exited:
     diagnostic.message =
         fmt::format("the program ended with status {} and never reached {}", outcome.status, waited_for);

@@ -1,5 +1,6 @@
 // Protocol between the replay program and its client.
 //
+//   server ──0──▶ client: the program has reached the kernel
 //   client ──command──▶ server: fork; the fork runs the kernel on the inputs in shared memory and ends ──status──▶
 //   client
 //
@@ -24,7 +25,8 @@
 
 namespace symreal::replay {
 
-enum class State : std::uint32_t { begun, complete, wrong_shape };
+// State of a fork. `inside`: the first call's inputs are given, and none of its outputs is read yet.
+enum class State : std::uint32_t { begun, inside, left, complete, wrong_shape };
 
 enum class Command : char { original = 'o', generated = 'c', graph = 'g', functions = 'f' };
 inline constexpr std::uint32_t no_function = ~std::uint32_t{0};

@@ -181,6 +181,7 @@ void serve(Connection const &connection, Head *head, Memory const &memory) {
     std::vector<std::uintptr_t> const stack = memory.stack();
     std::copy_n(stack.begin(), std::min(stack.size(), std::size(head->stack)), head->stack);
   }
+  if (constexpr int reached = 0; write(connection.answers, &reached, sizeof reached) != sizeof reached) _exit(0);
   for (Command command; read(connection.commands, &command, 1) == 1;) {
     head->state = State::begun;
     head->left_count = head->effect_count = head->unnamed_count = head->calls_done = 0;
@@ -219,6 +220,7 @@ void serve(Connection const &connection, Head *head, Memory const &memory) {
 void give(double *number, double const *values, std::uint32_t &met, std::uint32_t count) {
   if (met == count || !number) finish(State::wrong_shape);
   *number = values[met++];
+  if (shared->calls_done == 0 && replay_is_fed()) shared->state = State::inside;
 }
 
 std::size_t take_number(std::string_view &text) {
@@ -298,6 +300,10 @@ void replay_output(double value) {
   if (!shared) return;
   if (outputs_met == shared->output_count) finish(State::wrong_shape);
   shared_outputs(shared, shared->calls_done)[outputs_met++] = value;
+}
+
+void replay_leave() {
+  if (shared && shared->state == State::inside) shared->state = State::left;
 }
 
 int replay_compute(double const *inputs, double const *parameters, double *outputs) {

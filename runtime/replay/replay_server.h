@@ -29,6 +29,8 @@ bool replay_begin(std::string_view kernel, Memory const &memory = {});
 void replay_input(double *number);
 void replay_parameter(double *number);
 void replay_output(double value);
+// Called before the outputs are read.
+void replay_leave();
 
 // The kernel's generated code, in the program of the original: 0, or the guard that does not hold.
 int replay_compute(double const *inputs, double const *parameters, double *outputs);

@@ -64,6 +64,7 @@ public:
   }
   void begin_object(Kind kind, std::string const &, Place const &) override {
     kind_ = kind;
+    if (is_wanted_ && kind == Kind::output) replay::replay_leave();
     replay::look_up_items(true);
   }
   void element(void *number, bool) override {

@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <csignal>
+#include <fcntl.h>
+#include <unistd.h>
 
 using namespace symreal::program;
 
@@ -30,6 +33,19 @@ TEST(Process, EndsAtTheTimeLimitWithItsChildren) {
 }
 
 char const endless[] = "exec 2>&-; while :; do :; done";
+
+TEST(Process, EndsAsTheCallerWishes) {
+  std::array<int, 2> wish;
+  ASSERT_EQ(pipe2(wish.data(), O_CLOEXEC), 0);
+  std::size_t lines = 0;
+  Command const quiet{.arguments = {"sh", "-c", "echo begun; exec >&- 2>&-; sleep 60 & sleep 60"}, .stop = wish[0]};
+  Outcome const got = run(quiet, [&](std::string_view) { ++lines, close(wish[1]); });
+  EXPECT_EQ(lines, 1u);
+  EXPECT_EQ(got.ending, Ending::stopped);
+  EXPECT_EQ(run({.arguments = {"sleep", "60"}, .stop = wish[0]}, [](std::string_view) {}).ending, Ending::stopped);
+  EXPECT_LT(got.seconds, 10);
+  close(wish[0]);
+}
 
 TEST(Process, EndsAtTheLimitOfTheProcessorTimeOfItsChildrenToo) {
   Captured got = capture({.arguments = {"sh", "-c", endless}, .processor_limit = {.seconds = 0.2}});

@@ -249,6 +249,8 @@ template <class Fields> void describe(Fields &fields, Described<Fields, Verifica
   fields.unless(std::string(), "unexamined", verification.unexamined);
   describe_unless_empty(fields, "changes_outside", verification.changes_outside);
   fields.unless(std::size_t{0}, "next_call_different", verification.next_call_different);
+  fields.unless(std::string(), "next_call_ended", verification.next_call_ended);
+  fields.unless(std::string(), "next_call_missed", verification.next_call_missed);
   describe_unless_empty(fields, "outside", verification.outside);
   describe_unless_empty(fields, "missed_by_wrapper", verification.missed_by_wrapper);
   describe_guards(fields, verification);

@@ -322,6 +322,8 @@ void print_comparisons(std::ostream &out, Graph const &graph, program::Verificat
     fmt::print(out, "  outside of the program: the original {}, and the generated code does not\n", effect.name);
   if (!verification.unexamined.empty())
     fmt::print(out, "  state that no clause names: not all was looked at: {}\n", verification.unexamined);
+  if (!verification.next_call_missed.empty())
+    fmt::print(out, "  the program's next call was not compared: {}\n", verification.next_call_missed);
   if (!verification.wrapped.empty()) fmt::print(out, "  the wrapper was tried as well\n");
   if (verification.derivatives && !verification.has_values) return print_derivatives(out, *verification.derivatives);
   fmt::print(out, "  {:<28}{:>10}{:>22}{:>12}{}{}\n", "output", "elements",
@@ -381,6 +383,12 @@ std::optional<Diagnostic> verification_failure(Graph const &graph, program::Veri
                     "keeps something that the generated code does not",
                     count, verification.outputs.size()),
         {{{}, first_difference(graph, verification, verification.called_beyond, "without these calls")}}};
+  if (!verification.next_call_ended.empty())
+    return Diagnostic{DiagnosticId::verification_mismatch,
+                      {file},
+                      fmt::format("{}, where the recorded call returns: it reads something that the recording has "
+                                  "baked in, and that the program changes",
+                                  verification.next_call_ended)};
   if (verification.next_call_different != 0)
     return Diagnostic{DiagnosticId::verification_mismatch,
                       {file},
