@@ -107,14 +107,15 @@ template <class Archive> void serialize(Archive &file, Graph &x) {
        x.executed);
 }
 
-static std::string const head = "symreal-binary-graph " + std::string(version) + "\n";
+// Made at each use: a kernel may end before the constructors of static objects have run.
+static std::string head() { return "symreal-binary-graph " + std::string(version) + "\n"; }
 
 void write_binary_graph(std::string const &path, Graph const &graph) {
   errno = 0;
   std::ofstream file(path, std::ios::binary);
   try {
     file.exceptions(std::ios::badbit | std::ios::failbit);
-    file << head;
+    file << head();
     cereal::BinaryOutputArchive archive(file);
     archive(graph);
     file.close();
@@ -129,13 +130,14 @@ Graph read_binary_graph(std::string const &path) {
   errno = 0;
   std::ifstream file(path, std::ios::binary);
   if (!file) fail(DiagnosticId::unreadable_file, {path}, "cannot read '" + path + "': " + std::strerror(errno));
-  std::string found(head.size(), '\0');
-  if (!file.read(found.data(), static_cast<std::streamsize>(found.size())) || found != head)
+  std::string const wanted = head();
+  std::string found(wanted.size(), '\0');
+  if (!file.read(found.data(), static_cast<std::streamsize>(found.size())) || found != wanted)
     fail(DiagnosticId::graph_syntax, {path},
          "the recording is not of this version of Symreal, " + std::string(version));
   Graph graph;
   try {
-    BoundedInput archive(file, std::filesystem::file_size(path) - head.size());
+    BoundedInput archive(file, std::filesystem::file_size(path) - wanted.size());
     archive(graph);
   } catch (std::bad_alloc const &) {
     throw;

@@ -41,10 +41,19 @@ Told *told = nullptr;
 
 bool is_watching = false; // until all inputs are given
 enum class Role { none, watches, tries };
-Role role = Role::none;                     // of this process
-std::vector<Candidate const *> tried;       // the bytes that were changed
-std::set<char const *> changeable, leading; // static variables; those of the second kind only lead to changeable memory
-std::set<char const *> looked_up;           // read to look up inputs, parameters and constants
+Role role = Role::none;                         // of this process
+constinit std::vector<Candidate const *> tried; // the bytes that were changed
+
+struct Addresses {
+  std::set<char const *> changeable,
+      leading;                      // static variables; those of the second kind only lead to changeable memory
+  std::set<char const *> looked_up; // read to look up inputs, parameters and constants
+};
+// Made at the first use: a kernel may run before the constructors of static objects.
+Addresses &addresses() {
+  static Addresses all;
+  return all;
+}
 
 constexpr unsigned seconds = 2, seconds_watched = 10; // for a run
 constexpr std::size_t most_objects = 64;
@@ -61,7 +70,7 @@ constexpr std::array trials = {Trial{0, 0x01}, Trial{6, 0x08}, Trial{2, 0x40}, T
 constexpr Trial for_writes{0, 0x04}; // a count of owners stays one
 
 bool is_changeable(Change const &object) {
-  return object.region != Region::static_object || changeable.contains(object.object);
+  return object.region != Region::static_object || addresses().changeable.contains(object.object);
 }
 
 // Whether the access belongs to a lock, which is unchanged after its release.
@@ -105,7 +114,7 @@ void keep_candidates(MemoryImage const &image, Named const &named, memory::Acces
     auto const left = static_cast<std::size_t>(object->object + object->size - one.address);
     std::size_t const to_word = 8 - reinterpret_cast<std::uintptr_t>(one.address) % 8;
     std::size_t const room = read.room(one.address, std::min(left, to_word));
-    bool const is_named = one.is_named || looked_up.contains(one.address);
+    bool const is_named = one.is_named || addresses().looked_up.contains(one.address);
     bool const is_read = one.is_read_first && !is_named && room != 0 && !mappings.is_pointer(one.address);
     bool const is_written = one.is_written && !written.has(one.address) && image.outlives(blocks, one.address);
     Candidate const candidate = {one.address, one.instruction,
@@ -244,7 +253,7 @@ void begin_examination(MemoryImage const &image, std::string const &names) {
     std::string const name = memory::without_tags(line.substr(is_leading ? 1 : 0));
     for (Change const &one : objects)
       if (one.region == Region::static_object && memory::name_in_c(one.name) == name)
-        (is_leading ? leading : changeable).insert(one.object);
+        (is_leading ? addresses().leading : addresses().changeable).insert(one.object);
   }
   is_watching = watch_changeable(image);
 }
@@ -254,7 +263,7 @@ void look_up_items(bool are_looked_up) { memory::watch_names(are_looked_up); }
 std::vector<Known> fixed_owners(MemoryImage const &image) {
   std::vector<Known> fixed;
   for (Change const &one : image.objects())
-    if (!is_changeable(one) && !leading.contains(one.object)) fixed.push_back({one.object, one.size});
+    if (!is_changeable(one) && !addresses().leading.contains(one.object)) fixed.push_back({one.object, one.size});
   return fixed;
 }
 
@@ -262,7 +271,7 @@ void examine_state(MemoryImage const &image) {
   memory::Accesses const accesses = is_watching ? memory::end_watching_accesses() : memory::Accesses{};
   memory::OwnWork const own;
   for (memory::Access const &one : accesses.all)
-    if (one.is_read_first) looked_up.insert(one.address);
+    if (one.is_read_first) addresses().looked_up.insert(one.address);
   void *memory = mmap(nullptr, sizeof(Told), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
   told = memory == MAP_FAILED ? nullptr : static_cast<Told *>(memory);
   if (!is_watching || !told) replay_unexamined("accesses to memory cannot be watched here");

@@ -60,7 +60,10 @@ struct StreamFormat {
 using StreamFormats = std::array<StreamFormat, 4>;
 
 constexpr std::array<char const *, 4> names = {"std::cin", "std::cout", "std::cerr", "std::clog"};
-std::array<std::ios *, 4> streams() { return {&std::cin, &std::cout, &std::cerr, &std::clog}; }
+std::array<std::ios *, 4> streams() {
+  static std::ios_base::Init const initialised; // a kernel may run before other constructors
+  return {&std::cin, &std::cout, &std::cerr, &std::clog};
+}
 
 StreamFormats read_formats() {
   StreamFormats formats;
