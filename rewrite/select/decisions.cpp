@@ -250,29 +250,48 @@ bool DecisionCollector::is_lvalue_used(ConditionalOperator const *choice) const 
 
 void DecisionCollector::choose_value(ConditionalOperator const *choice) {
   seen_.insert(choice);
-  Condition const condition = conditions_.classify(choice->getCond());
-  std::optional<Site> const at = site(choice->getQuestionLoc(), choice->getCond());
-  if (!at) return;
-  bool const in_macro = !map_.sources().getSLocEntry(at->frame).isFile();
   bool const becomes = becomes_number(choice);
   bool const yes = is_symbolic_integer(choice->getTrueExpr(), becomes);
   bool const no = is_symbolic_integer(choice->getFalseExpr(), becomes);
+  if (select_value(choice, becomes, yes, no) || yes == no) return;
+  make_plain(yes ? choice->getTrueExpr() : choice->getFalseExpr());
+}
+
+// An integer cannot be an alternative to a symbolic one, such as a `?:` that has become a select.
+void DecisionCollector::make_plain(Expr const *arm) {
+  auto const *inner = dyn_cast<ConditionalOperator>(Reals::spelled_integer(arm));
+  std::optional<Span> const span = inner ? map_.range(inner->getSourceRange()) : std::nullopt;
+  if (!span || !map_.in_roots(inner->getBeginLoc())) return;
+  PrintingPolicy const policy(map_.language());
+  facts_.wraps.insert({*span, Use::conversion, inner->getType().getUnqualifiedType().getAsString(policy)});
+}
+
+// Whether the choice can become a select. `yes`, `no`: whether the arms are symbolic integers.
+bool DecisionCollector::select_value(ConditionalOperator const *choice, bool becomes, bool yes, bool no) {
+  Condition const condition = conditions_.classify(choice->getCond());
+  std::optional<Site> const at = site(choice->getQuestionLoc(), choice->getCond());
+  if (!at) return false;
+  auto const refuse_at = [&](Blocker const &blocker) {
+    refuse(*at, blocker);
+    return false;
+  };
+  bool const in_macro = !map_.sources().getSLocEntry(at->frame).isFile();
   if (!condition.is_real && yes == no) {
     // The macro's text may be changed for other uses.
     if (in_macro && is_lvalue_used(choice) && !choice->isTypeDependent())
       refuse(*at, {choice->getQuestionLoc(), {ReasonId::choice_of_objects}});
-    return;
+    return false;
   }
   if (!becomes && !yes && !no)
-    return refuse(*at, {choice->getQuestionLoc(), {ReasonId::choice_of_type, choice->getType().getAsString()}});
-  if (is_lvalue_used(choice)) return refuse(*at, {choice->getQuestionLoc(), {ReasonId::choice_as_object}});
+    return refuse_at({choice->getQuestionLoc(), {ReasonId::choice_of_type, choice->getType().getAsString()}});
+  if (is_lvalue_used(choice)) return refuse_at({choice->getQuestionLoc(), {ReasonId::choice_as_object}});
   std::optional<Span> const span = condition_span(*at, condition);
-  if (!span) return;
+  if (!span) return false;
   Allowed const allowed{.frame = at->frame};
   Arms const arms = analysis_.arms({choice->getTrueExpr(), choice->getFalseExpr()}, allowed);
-  if (arms.blocker) return refuse(*at, *arms.blocker);
+  if (arms.blocker) return refuse_at(*arms.blocker);
   if (!arms.targets.empty())
-    return refuse(*at, {choice->getQuestionLoc(), {ReasonId::assignment_in_choice, "'" + arms.targets[0] + "'"}});
+    return refuse_at({choice->getQuestionLoc(), {ReasonId::assignment_in_choice, "'" + arms.targets[0] + "'"}});
   std::optional<Span> const whole = map_.range_in(at->frame, choice->getSourceRange());
   std::optional<Alteration> const question =
       replacing(at->frame, {choice->getQuestionLoc(), choice->getQuestionLoc()}, "SYMREAL_REAL_THEN");
@@ -280,13 +299,14 @@ void DecisionCollector::choose_value(ConditionalOperator const *choice) {
       replacing(at->frame, {choice->getColonLoc(), choice->getColonLoc()}, "SYMREAL_REAL_ELSE");
   if (!whole || !question || !colon || whole->begin > span->begin || span->end > question->span.begin ||
       question->span.end > colon->span.begin || colon->span.end >= whole->end)
-    return refuse(*at, {choice->getQuestionLoc(), {ReasonId::choice_in_parts}});
+    return refuse_at({choice->getQuestionLoc(), {ReasonId::choice_in_parts}});
   std::vector<Alteration> alterations = condition.joints;
   alterations.push_back({*span, "SYMREAL_REAL_COND(", ")"});
   alterations.push_back(*question);
   alterations.push_back(*colon);
   alterations.push_back({*whole, "", " SYMREAL_REAL_END", false, true});
   accept(*at, std::move(alterations));
+  return true;
 }
 
 void DecisionCollector::check_use_of_macro(ConditionalOperator const *choice) {

@@ -50,6 +50,8 @@ private:
   void deciding(clang::SourceLocation keyword, clang::SourceRange where, clang::Expr const *value, std::string type);
   void choose_statement(clang::IfStmt const *choice);
   void choose_value(clang::ConditionalOperator const *choice);
+  bool select_value(clang::ConditionalOperator const *choice, bool becomes, bool yes, bool no);
+  void make_plain(clang::Expr const *arm);
   bool becomes_number(clang::ConditionalOperator const *choice) const;
   bool is_symbolic_integer(clang::Expr const *arm, bool becomes_number) const;
   bool is_lvalue_used(clang::ConditionalOperator const *choice) const;

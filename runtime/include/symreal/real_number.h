@@ -104,8 +104,11 @@ public:
   template <class T, class = std::enable_if_t<std::is_arithmetic_v<T>>> constexpr RealNumber(T value) noexcept
       : value_(static_cast<double>(value)) {}
 
-  template <class T, std::enable_if_t<std::is_enum_v<T>, int> = 0> explicit constexpr RealNumber(T value) noexcept
-      : value_(static_cast<double>(value)) {}
+  // Implicit for an enumeration without scope, as in a fold over its enumerators.
+  template <class T, std::enable_if_t<std::is_enum_v<T> && std::is_convertible_v<T, int>, int> = 0>
+  constexpr RealNumber(T value) noexcept : value_(static_cast<double>(value)) {}
+  template <class T, std::enable_if_t<std::is_enum_v<T> && !std::is_convertible_v<T, int>, int> = 0>
+  explicit constexpr RealNumber(T value) noexcept : value_(static_cast<double>(value)) {}
   // Copies from and to volatile numbers, recorded like any other. As templates they do not count as copy operations, so
   // the class stays trivially copyable.
   template <class T, IfReal<T> = 0> constexpr RealNumber(T const volatile &other) noexcept : value_(other.value_) {}
