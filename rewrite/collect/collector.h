@@ -75,10 +75,12 @@ public:
   void explicit_cast(clang::ExplicitCastExpr const *cast);
   void compound_assignment(clang::CompoundAssignOperator const *assignment);
   void choice(clang::ConditionalOperator const *choice);
-  void constant_initializer(clang::Expr const *initializer);
+  void constant_initializer(clang::Expr const *initializer, bool is_deduced = false);
   // Constant objects of doubles where objects of REALs are taken (constants.cpp). `function`: the one being visited.
   void set_function(clang::FunctionDecl const *const *function) { function_ = function; }
-  void constant_object(clang::Expr const *value);
+  void constant_object(clang::Expr const *value, bool is_in_constant = false);
+  void constants_handed(clang::FunctionDecl const *function, llvm::ArrayRef<clang::Expr const *> arguments);
+  bool constant_result_of(clang::Expr const *initializer);
   void constant_initializer_of(clang::VarDecl const *variable);
   void constant_arguments(clang::CallExpr const *dependent);
   void constant_elements(clang::CXXForRangeStmt const *loop);

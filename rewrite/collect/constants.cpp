@@ -68,6 +68,25 @@ bool names_constant(Expr const *expression, Reals const &reals) {
          names_constant(call->getImplicitObjectArgument(), reals);
 }
 
+// The name of the static object of which such an expression names a part; null for a local object.
+Expr const *static_name(Expr const *expression) {
+  expression = bare(expression);
+  ValueDecl const *declaration = nullptr;
+  if (auto const *name = dyn_cast<DeclRefExpr>(expression)) declaration = name->getDecl();
+  auto const *member = dyn_cast<MemberExpr>(expression);
+  if (member && isa<VarDecl>(member->getMemberDecl()) && member->isImplicitAccess())
+    declaration = member->getMemberDecl();
+  if (declaration) return cast<VarDecl>(declaration)->hasGlobalStorage() ? expression : nullptr;
+  if (member) return static_name(member->getBase());
+  if (auto const *element = dyn_cast<ArraySubscriptExpr>(expression)) return static_name(element->getBase());
+  if (auto const *unary = dyn_cast<UnaryOperator>(expression)) return static_name(unary->getSubExpr());
+  if (auto const *binary = dyn_cast<BinaryOperator>(expression))
+    return static_name(binary->getLHS()->getType()->isIntegerType() ? binary->getRHS() : binary->getLHS());
+  if (auto const *element = dyn_cast<CXXOperatorCallExpr>(expression)) return static_name(element->getArg(0));
+  auto const *call = dyn_cast<CXXMemberCallExpr>(expression);
+  return call ? static_name(call->getImplicitObjectArgument()) : nullptr;
+}
+
 // A compiler evaluates such a function itself, where the bytes of an object have one type.
 bool is_evaluated(FunctionDecl const *function) {
   auto const *method = dyn_cast_or_null<CXXMethodDecl>(function);
@@ -76,22 +95,44 @@ bool is_evaluated(FunctionDecl const *function) {
 
 } // namespace
 
-void Collector::constant_object(Expr const *value) {
-  if (!value || !map_.language().CPlusPlus || (function_ && is_evaluated(*function_))) return;
+void Collector::constant_object(Expr const *value, bool is_in_constant) {
+  if (!value || !map_.language().CPlusPlus || (!is_in_constant && function_ && is_evaluated(*function_))) return;
   Expr const *object = bare(value);
   if (auto const *choice = dyn_cast<ConditionalOperator>(object)) {
-    constant_object(choice->getTrueExpr());
-    return constant_object(choice->getFalseExpr());
+    constant_object(choice->getTrueExpr(), is_in_constant);
+    return constant_object(choice->getFalseExpr(), is_in_constant);
   }
   if (auto const *list = dyn_cast<ParenListExpr>(object)) { // in a template
-    for (unsigned i = 0; i < list->getNumExprs(); ++i) constant_object(list->getExpr(i));
+    for (unsigned i = 0; i < list->getNumExprs(); ++i) constant_object(list->getExpr(i), is_in_constant);
     return;
   }
   if (object->getType().isNull() || object->isTypeDependent() || !map_.in_roots(object->getBeginLoc())) return;
-  if (spells_double(object->getType()) && names_constant(object, reals_)) wrap(object, Use::deduced);
+  if (!spells_double(object->getType()) || !names_constant(object, reals_)) return;
+  if (!is_in_constant) return wrap(object, Use::deduced);
+  if (Expr const *name = static_name(object)) wrap(name, Use::constant);
+}
+
+// Where the compiler evaluates, an object is handed to a function of the program that takes REALs.
+void Collector::constants_handed(FunctionDecl const *function, Arguments arguments) {
+  if (!function || !map_.language().CPlusPlus || !reals_.in_roots(function)) return;
+  FunctionDecl const *written = Reals::pattern(function);
+  for (std::size_t i = 0; i < arguments.size() && i < written->getNumParams(); ++i)
+    if (!written->getParamDecl(static_cast<unsigned>(i))->getType()->isDependentType())
+      constant_object(arguments[i], true);
+}
+
+// constexpr std::array<double, 2> doubled = scaled(pair, 2);
+bool Collector::constant_result_of(Expr const *initializer) {
+  auto const *call = dyn_cast<CallExpr>(bare(initializer));
+  FunctionDecl const *function = call ? call->getDirectCallee() : nullptr;
+  if (!function || !reals_.in_roots(function) || !call->getType()->isRecordType()) return false;
+  if (!spells_double(call->getType()) || Reals::pattern(function)->getReturnType()->isDependentType()) return false;
+  wrap(call, Use::plain_object);
+  return true;
 }
 
 void Collector::constant_arguments(FunctionDecl const *function, Arguments arguments, bool outside) {
+  if (function_ && is_evaluated(*function_)) return constants_handed(function, arguments);
   bool const is_deduced = outside && function->getPrimaryTemplate();
   auto const is_constant = [this](Expr const *one) { return names_constant(one, reals_); };
   // A library's template takes either; a class of numbers and the operands of an operator must agree.

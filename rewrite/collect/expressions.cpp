@@ -243,14 +243,15 @@ void Collector::choice(ConditionalOperator const *choice) {
 }
 
 // constexpr double k = half(2.): the variable stays double, unlike the result of the rewritten function.
-void Collector::constant_initializer(Expr const *initializer) {
+void Collector::constant_initializer(Expr const *initializer, bool is_deduced) {
   if (!initializer || initializer->isTypeDependent()) return;
+  if (!is_deduced && constant_result_of(initializer)) return;
   if (auto const *list = dyn_cast<InitListExpr>(initializer->IgnoreImplicit())) {
     for (Expr const *element : list->inits()) constant_initializer(element);
     return;
   }
   if (auto const *cast = dyn_cast<ImplicitCastExpr>(initializer); cast && cast->getCastKind() != CK_LValueToRValue)
-    return constant_initializer(cast->getSubExpr());
+    return constant_initializer(cast->getSubExpr(), is_deduced);
   if (Reals::is_double(initializer->getType()) && (reals_.is_real(initializer) || gives_real_by_macro(initializer)))
     wrap(initializer, Use::value);
 }

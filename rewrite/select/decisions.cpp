@@ -225,7 +225,9 @@ bool DecisionCollector::is_symbolic_integer(Expr const *arm, bool becomes_number
   if (auto const *inner = dyn_cast<ConditionalOperator>(Reals::spelled_integer(arm))) { // as choose_value has it
     bool const yes = is_symbolic_integer(inner->getTrueExpr(), becomes_number);
     bool const no = is_symbolic_integer(inner->getFalseExpr(), becomes_number);
-    return yes != no || ((yes || becomes_number) && conditions_.classify(inner->getCond()).is_real);
+    Condition const condition = conditions_.classify(inner->getCond());
+    if (condition.blocker) return yes && no; // it stays a `?:`, of plain integers if one is plain
+    return yes != no || ((yes || becomes_number) && condition.is_real);
   }
   return reals_.integer_depends(arm, [this](CastExpr const *cast) {
     auto const *written = dyn_cast<ExplicitCastExpr>(cast);

@@ -89,6 +89,11 @@ public:
   }
 
   bool VisitCallExpr(CallExpr *call) override {
+    if (passive_) {
+      std::vector<Expr const *> const all(call->arg_begin(), call->arg_end());
+      bool const has_object = isa<CXXOperatorCallExpr>(call) && isa_and_nonnull<CXXMethodDecl>(call->getDirectCallee());
+      collect_.constants_handed(call->getDirectCallee(), llvm::ArrayRef(all).drop_front(has_object));
+    }
     if (passive_ || !map_.in_roots(call->getBeginLoc())) return true;
     collect_.call(call);
     collect_.constant_arguments(call);
@@ -111,6 +116,10 @@ public:
     return true;
   }
   bool VisitCXXConstructExpr(CXXConstructExpr *construction) override {
+    if (passive_ && !construction->getConstructor()->isCopyOrMoveConstructor()) {
+      std::vector<Expr const *> const all(construction->arg_begin(), construction->arg_end());
+      collect_.constants_handed(construction->getConstructor(), all);
+    }
     if (passive_ || !map_.in_roots(construction->getLocation())) return true;
     collect_.construction(construction);
     collect_.keeps_text(construction->getType());
@@ -201,7 +210,8 @@ public:
     return true;
   }
   bool VisitVarDecl(VarDecl *variable) override {
-    if (passive_ == constant_variable || passive_ == static_member) collect_.constant_initializer(variable->getInit());
+    if (passive_ == constant_variable || passive_ == static_member)
+      collect_.constant_initializer(variable->getInit(), variable->getType()->getContainedAutoType());
     if (!passive_) collect_.deduced_variable(variable);
     if (!passive_) collect_.constant_initializer_of(variable);
     if (variable->hasInit() && variable->getType()->getContainedAutoType())

@@ -77,7 +77,50 @@ template <class To, class From> [[gnu::always_inline]] constexpr To *recorded_ob
   return static_cast<To *>(const_cast<void *>(at));
 }
 
+// A copy for which a compiler can account: elements of a class with operators of its own are copied one by one.
+template <class To, class From> constexpr To recorded_copy(From const &from) noexcept {
+  if constexpr (std::is_same_v<To, From> || std::is_arithmetic_v<From>)
+    return To(from);
+  else if constexpr (std::is_trivially_copyable_v<From>)
+    return __builtin_bit_cast(To, from);
+  else if constexpr (requires { from.first, from.second; })
+    return To(recorded_copy<decltype(To::first)>(from.first), recorded_copy<decltype(To::second)>(from.second));
+  else {
+    To to{};
+    for (decltype(from.size()) k = 0; k < from.size(); ++k)
+      to[k] = recorded_copy<std::remove_reference_t<decltype(to[k])>>(from[k]);
+    return to;
+  }
+}
+template <class T> struct Holder {
+  T value;
+};
+template <class From> constexpr auto recorded_constant(From const &from) noexcept {
+  using To = typename Recorded<From>::Type;
+  if constexpr (std::is_array_v<From>)
+    return __builtin_bit_cast(Holder<To>, from);
+  else
+    return Holder<To>{recorded_copy<To>(from)};
+}
+
+// The result of a function as the constant object of doubles that it initialises.
+template <class From> class PlainObject {
+public:
+  explicit constexpr PlainObject(From const &from) noexcept : from_(from) {}
+  template <class To> constexpr operator To() const noexcept { return recorded_copy<To>(from_); }
+
+private:
+  From from_;
+};
+
 } // namespace detail
+
+// One constant object of REALs for each of doubles.
+template <auto const &object> inline constexpr auto symreal_constant = detail::recorded_constant(object);
+
+template <class From> constexpr detail::PlainObject<From> symreal_plain_object(From const &from) noexcept {
+  return detail::PlainObject<From>(from);
+}
 
 // Argument from which a template of the program deduces a type: a double becomes a REAL, a constant object of doubles
 // one of REALs, other types pass unchanged.

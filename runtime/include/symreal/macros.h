@@ -18,6 +18,8 @@
 #define SYMREAL_REAL double
 #define SYMREAL_REAL_C(...) __VA_ARGS__
 #define SYMREAL_REAL_DEDUCED(...) __VA_ARGS__
+#define SYMREAL_REAL_CONSTANT(...) __VA_ARGS__
+#define SYMREAL_REAL_PLAIN_OBJECT(...) __VA_ARGS__
 #define SYMREAL_REAL_VALUE(...) __VA_ARGS__
 #define SYMREAL_REAL_TO(type, ...) __VA_ARGS__
 #define SYMREAL_REAL_FIT(...) __VA_ARGS__
@@ -134,6 +136,8 @@
 #define SYMREAL_REAL ::symreal::SymrealReal
 #define SYMREAL_REAL_C(...) (static_cast<::symreal::SymrealReal>(__VA_ARGS__)) /* T(A(b)) may be a type */
 #define SYMREAL_REAL_DEDUCED(...) (::symreal::symreal_deduced(__VA_ARGS__))
+#define SYMREAL_REAL_CONSTANT(...) (::symreal::symreal_constant<(__VA_ARGS__)>.value)
+#define SYMREAL_REAL_PLAIN_OBJECT(...) (::symreal::symreal_plain_object(__VA_ARGS__))
 #define SYMREAL_REAL_VALUE(...) (::symreal::symreal_value(__VA_ARGS__))
 #define SYMREAL_REAL_TO(type, ...) (static_cast<type>(__VA_ARGS__))
 /* An argument in a template: converts as a double does to the parameter of the overload chosen for double. */
@@ -212,6 +216,8 @@ public:                                                                         
 #define SYMREAL_REAL double
 #define SYMREAL_REAL_C(...) (__VA_ARGS__)
 #define SYMREAL_REAL_DEDUCED(...) (__VA_ARGS__)
+#define SYMREAL_REAL_CONSTANT(...) (__VA_ARGS__)
+#define SYMREAL_REAL_PLAIN_OBJECT(...) (__VA_ARGS__)
 #define SYMREAL_REAL_VALUE(...) (__VA_ARGS__)
 #define SYMREAL_REAL_TO(type, ...) (static_cast<type>(__VA_ARGS__))
 #define SYMREAL_REAL_ARGUMENT(type, ...) __VA_ARGS__
