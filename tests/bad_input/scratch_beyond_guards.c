@@ -48,9 +48,35 @@ double machine(double x, double u)
   }
   return phase == busy ? u : -u;
 }
+/* Each path writes a part of this, which likely is what it reads; the recorded path decides, and a guard stands.
+   CHECK-DAG: error: the kernel writes 'both', which is not an output [SYM053]
+*/
+#pragma symreal function input(x, u) output(return)
+double parts(double x, double u)
+{
+  static int both[2];
+  if (x > 0)
+    both[0] = 3;
+  else
+    both[1] = 1;
+  return both[0] * u;
+}
+/* So with a loop that likely runs.
+   CHECK-DAG: error: the kernel writes 'count', which is not an output [SYM053]
+*/
+#pragma symreal function input(x, u) output(return)
+double loop(double x, double u)
+{
+  static int count;
+  double at;
+  for (at = 0; at < x; at += 1) count = 3;
+  return count * u;
+}
 #else
+#define parts(x, u) 0
+#define loop(x, u) 0
 #define element(x, u) 0
 #define machine(x, u) 0
 #endif
 
-int main(void) { return branch(1.5, 2) + element(1.5, 2) + machine(1.5, 2) > 9; }
+int main(void) { return branch(1.5, 2) + element(1.5, 2) + machine(1.5, 2) + parts(1.5, 2) + loop(1.5, 2) > 9; }
