@@ -8,7 +8,7 @@
 #include "runtime/memory/static_objects.h"
 #include "runtime/replay/replay_server.h"
 #include "runtime/trace/kernel/object_layout.h"
-#include "runtime/trace/nodes/pool.h"
+#include "runtime/trace/session.h"
 #include "runtime/trace/sinks.h"
 #include "runtime/wire/request.h"
 
@@ -26,7 +26,9 @@
 
 namespace symreal {
 
-using trace::Kernel;
+using trace::Annotations;
+using trace::session;
+using trace::Session;
 
 namespace {
 
@@ -39,18 +41,7 @@ trace::MakeSink sink_of(detail::CompiledAs program) {
   internal_failure("a program has a sink", __FILE__, __LINE__);
 }
 
-struct Copy {
-  char *begin;
-  std::size_t size;
-  char const *original;
-};
-
-// Copies live as long as the program: a pointer to one may be anywhere.
-std::vector<Copy> &copies() {
-  static constinit thread_local std::vector<Copy> *list = nullptr;
-  if (!list) list = memory::make_own<std::vector<Copy>>();
-  return *list;
-}
+std::vector<Annotations::Copy> &copies() { return Session::of_this_thread().annotations.copies; }
 
 // Whether the system reports the address as writable; true if unknown.
 bool is_writable(void const *address) {
@@ -85,27 +76,27 @@ char *guarded_memory(std::size_t size) {
 
 bool detail::begin_object(CompiledAs program, Kind kind, char const *label, SourcePlace place) noexcept {
   memory::OwnWork const own;
-  return Kernel::current().begin_object(sink_of(program), kind, label, place);
+  return session().kernel.begin_object(sink_of(program), kind, label, place);
 }
 
 void detail::element(void *number, bool is_temporary) noexcept {
   memory::OwnWork const own;
-  Kernel::current().sink().element(number, is_temporary);
+  session().kernel.sink().element(number, is_temporary);
 }
 
 void detail::holder(void const volatile *object, std::size_t size) noexcept {
   memory::OwnWork const own;
-  Kernel::current().sink().holder(const_cast<void const *>(object), size);
+  session().kernel.sink().holder(const_cast<void const *>(object), size);
 }
 
 void detail::handed_over(void const volatile *object, std::size_t size) noexcept {
   memory::OwnWork const own;
-  Kernel::current().sink().handed_over(const_cast<void const *>(object), size);
+  session().kernel.sink().handed_over(const_cast<void const *>(object), size);
 }
 
 void detail::end_object(std::size_t const *extents, std::size_t rank) noexcept {
   memory::OwnWork const own;
-  Kernel::current().sink().end_object({extents, extents + rank});
+  session().kernel.sink().end_object({extents, extents + rank});
 }
 
 void detail::constant_counts(Extents const &shape) noexcept {
@@ -115,61 +106,61 @@ void detail::constant_counts(Extents const &shape) noexcept {
 
 bool detail::begin_implicit(char const *label, SourcePlace place) noexcept {
   memory::OwnWork const own;
-  Kernel::current().annotate(label, place);
-  return Kernel::current().begin_implicit(label, {place.file, place.line, place.column});
+  session().kernel.annotate(label, place);
+  return session().kernel.begin_implicit(label, {place.file, place.line, place.column});
 }
 
 void detail::end_implicit() noexcept {
   memory::OwnWork const own;
-  Kernel::current().sink().end_implicit();
+  session().kernel.sink().end_implicit();
 }
 
 void detail::check_index(std::ptrdiff_t index, std::ptrdiff_t count, char const *object) noexcept {
-  if ((index < 0 || index >= count) && !is_dropped("SYM203")) Kernel::current().refuse_element(object, count);
+  if ((index < 0 || index >= count) && !is_dropped("SYM203")) session().kernel.refuse_element(object, count);
 }
 
 bool detail::begin_function(CompiledAs program, char const *name, SourcePlace place, unsigned call) noexcept {
   memory::OwnWork const own;
-  return Kernel::current().begin_function(sink_of(program), name, place, call);
+  return session().kernel.begin_function(sink_of(program), name, place, call);
 }
 
-void detail::end_function() noexcept { Kernel::current().end_function(); }
+void detail::end_function() noexcept { session().kernel.end_function(); }
 
 void detail::end_region(CompiledAs, char const *file_name, SourcePlace place) noexcept {
-  Kernel::current().end_region(file_name, place);
+  session().kernel.end_region(file_name, place);
 }
 
 void symreal_set_range(double low, double high) noexcept {
   memory::OwnWork const own;
-  Kernel::current().set_range(low, high);
+  session().kernel.set_range(low, high);
 }
 
 void symreal_set_state(char const *state, char const *derivative, SourcePlace place) noexcept {
   memory::OwnWork const own;
-  Kernel::current().set_state({state, derivative, {place.file, place.line, place.column}});
+  session().kernel.set_state({state, derivative, {place.file, place.line, place.column}});
 }
 
 void symreal_differentiate(char const *wish, SourcePlace place) noexcept {
   memory::OwnWork const own;
-  Kernel::current().differentiate({wish, {place.file, place.line, place.column}});
+  session().kernel.differentiate({wish, {place.file, place.line, place.column}});
 }
 
-void FunctionKernel::accept_annotations() noexcept { Kernel::current().accept_annotations(); }
-void FunctionKernel::begin_outputs() noexcept { Kernel::current().begin_outputs(); }
+void FunctionKernel::accept_annotations() noexcept { session().kernel.accept_annotations(); }
+void FunctionKernel::begin_outputs() noexcept { session().kernel.begin_outputs(); }
 void FunctionKernel::make_plain(void *object, std::size_t size) noexcept {
-  if (trace::Pool const &pool = trace::Pool::current(); pool.is_recording()) pool.make_plain(object, size);
+  if (trace::Pool const &pool = session().pool; pool.is_recording()) pool.make_plain(object, size);
 }
 
 void *detail::private_copy(void const *pointer, std::size_t low, std::size_t count) noexcept {
   auto *original = static_cast<char const *>(pointer);
-  if (!Kernel::current().is_entering_function()) return const_cast<char *>(original);
-  bool const is_copy =
-      std::any_of(copies().begin(), copies().end(), [original](Copy const &copy) { return copy.begin == original; });
+  if (!session().kernel.is_entering_function()) return const_cast<char *>(original);
+  bool const is_copy = std::any_of(copies().begin(), copies().end(),
+                                   [original](Annotations::Copy const &copy) { return copy.begin == original; });
   if (!is_copy && is_writable(original + low)) return const_cast<char *>(original);
   std::size_t size = low + count, kept = 0;
   char const *source = original;
   // A second section of a rebound pointer: elements that the first one annotated move along.
-  for (Copy const &copy : copies())
+  for (Annotations::Copy const &copy : copies())
     if (copy.begin == original) {
       if (copy.size >= size) return copy.begin;
       kept = copy.size;
@@ -184,8 +175,8 @@ void *detail::private_copy(void const *pointer, std::size_t low, std::size_t cou
 
 void const *detail::in_private_copy(void const *pointer) noexcept {
   auto const *at = static_cast<char const *>(pointer);
-  if (Kernel::current().is_entering_function())
-    for (Copy const &copy : copies())
+  if (session().kernel.is_entering_function())
+    for (Annotations::Copy const &copy : copies())
       if (copy.original <= at && at <= copy.original + copy.size) return copy.begin + (at - copy.original);
   return pointer;
 }
@@ -206,16 +197,7 @@ Kind kind_named(std::string_view name) {
   return name == "scratch" ? Kind::scratch : Kind::output;
 }
 
-// Objects that are looked up when a function is entered and read when it returns.
-struct Later {
-  std::string label;
-  SourcePlace place;
-  std::vector<memory::Known> bytes;
-};
-thread_local std::vector<Later> later;
-thread_local bool is_later = false;
-
-thread_local Kind kind_now = Kind::input;
+Annotations &annotations() { return Session::of_this_thread().annotations; }
 
 } // namespace
 } // namespace trace
@@ -224,28 +206,29 @@ thread_local Kind kind_now = Kind::input;
 using symreal::Kind;
 using symreal::SourcePlace;
 using symreal::memory::OwnWork;
+using symreal::trace::annotations;
 using symreal::trace::Kernel;
+using symreal::trace::session;
 
 int symreal_original_object(char const *kind, char const *label, char const *file, unsigned line, unsigned column,
                             void const *frame) {
   OwnWork const own;
   SourcePlace const place{file, line, column, frame};
-  if (symreal::trace::is_later) {
-    Kernel::current().annotate(label, place);
-    symreal::trace::later.push_back({label, place, {}});
+  if (annotations().is_later) {
+    session().kernel.annotate(label, place);
+    annotations().later.push_back({label, place, {}});
     return 1;
   }
-  symreal::trace::kind_now = symreal::trace::kind_named(kind);
-  return Kernel::current().begin_object(symreal::trace::sink_of_original(), symreal::trace::kind_now, label, place);
+  annotations().kind = symreal::trace::kind_named(kind);
+  return session().kernel.begin_object(symreal::trace::sink_of_original(), annotations().kind, label, place);
 }
 
 void symreal_original_bytes(void const volatile *begin, std::size_t size, int is_temporary) {
   OwnWork const own;
   auto *bytes = static_cast<char *>(const_cast<void *>(begin));
-  if (symreal::trace::is_later) return symreal::trace::later.back().bytes.push_back({bytes, size});
-  auto &sink = Kernel::current().sink();
-  if (symreal::trace::kind_now == Kind::constant || symreal::trace::kind_now == Kind::scratch)
-    return sink.bytes(bytes, size);
+  if (annotations().is_later) return annotations().later.back().bytes.push_back({bytes, size});
+  auto &sink = session().kernel.sink();
+  if (annotations().kind == Kind::constant || annotations().kind == Kind::scratch) return sink.bytes(bytes, size);
   for (std::size_t k = 0; k + sizeof(double) <= size; k += sizeof(double)) sink.element(bytes + k, is_temporary != 0);
 }
 
@@ -263,23 +246,23 @@ void symreal_original_layout(void const volatile *begin, char const *layout, sym
 
 void symreal_original_statics(char const *names) {
   OwnWork const own;
-  if (!Kernel::current().is_recording()) return;
+  if (!session().kernel.is_recording()) return;
   std::string const wanted = " " + symreal::memory::without_tags(names) + " ";
-  for (symreal::memory::StaticObject const &one : Kernel::current().sink().static_objects()) {
+  for (symreal::memory::StaticObject const &one : session().kernel.sink().static_objects()) {
     std::string const name = symreal::memory::name_in_c(one.name);
-    if (wanted.find(" " + name + " ") != wanted.npos) Kernel::current().sink().bytes(one.begin, one.size);
+    if (wanted.find(" " + name + " ") != wanted.npos) session().kernel.sink().bytes(one.begin, one.size);
   }
 }
 
 void symreal_original_holder(void const volatile *begin, std::size_t size) {
   OwnWork const own;
-  Kernel &kernel = Kernel::current();
-  if (kernel.is_recording() && !symreal::trace::is_later) kernel.sink().holder(const_cast<void const *>(begin), size);
+  Kernel &kernel = session().kernel;
+  if (kernel.is_recording() && !annotations().is_later) kernel.sink().holder(const_cast<void const *>(begin), size);
 }
 
 void symreal_original_handed_over(int active, void const volatile *begin, std::size_t size) {
   OwnWork const own;
-  if (active) Kernel::current().sink().handed_over(const_cast<void const *>(begin), size);
+  if (active) session().kernel.sink().handed_over(const_cast<void const *>(begin), size);
 }
 
 void symreal_original_whole(int active, void const volatile *object) {
@@ -291,41 +274,41 @@ void symreal_original_whole(int active, void const volatile *object) {
 
 void symreal_original_own(void const volatile *begin, std::size_t size) {
   OwnWork const own;
-  if (Kernel &kernel = Kernel::current(); kernel.is_recording())
+  if (Kernel &kernel = session().kernel; kernel.is_recording())
     kernel.sink().own(const_cast<void const *>(begin), size);
 }
 
 void symreal_original_chosen(void const volatile *begin, std::size_t size) {
   OwnWork const own;
-  if (Kernel &kernel = Kernel::current(); kernel.is_recording())
+  if (Kernel &kernel = session().kernel; kernel.is_recording())
     kernel.sink().chosen(const_cast<void const *>(begin), size);
 }
 
 void symreal_original_object_end() {
   OwnWork const own;
-  if (!symreal::trace::is_later) Kernel::current().sink().end_object({});
+  if (!annotations().is_later) session().kernel.sink().end_object({});
 }
 
 int symreal_original_function(char const *name, char const *file, unsigned line, unsigned column, unsigned call,
                               void const *frame) {
   OwnWork const own;
-  return Kernel::current().begin_function(symreal::trace::sink_of_original(), name, {file, line, column, frame}, call);
+  return session().kernel.begin_function(symreal::trace::sink_of_original(), name, {file, line, column, frame}, call);
 }
 
 int symreal_original_entered(int active) {
   OwnWork const own;
-  Kernel::current().accept_annotations();
+  session().kernel.accept_annotations();
   return active;
 }
 
 int symreal_original_leaving(int active) {
   OwnWork const own;
-  if (active) Kernel::current().begin_outputs();
+  if (active) session().kernel.begin_outputs();
   return active;
 }
 
 void symreal_original_function_end(int active) {
-  if (active) Kernel::current().end_function();
+  if (active) session().kernel.end_function();
 }
 
 void symreal_original_returned(int active, char const *label, char const *file, unsigned line, unsigned column,
@@ -344,7 +327,7 @@ void symreal_original_returned(int active, char const *label, char const *file, 
 
 void symreal_original_settle(void volatile *begin, std::size_t size) {
   OwnWork const own;
-  symreal::trace::Pool::current().make_plain(const_cast<void *>(begin), size);
+  session().pool.make_plain(const_cast<void *>(begin), size);
 }
 
 int symreal_original_compute(double const *input, double const *parameters, double *output) {
@@ -354,38 +337,38 @@ int symreal_original_compute(double const *input, double const *parameters, doub
 
 void symreal_original_check_index(__PTRDIFF_TYPE__ index, __PTRDIFF_TYPE__ count, char const *object) {
   OwnWork const own;
-  if (index < 0 || index >= count) Kernel::current().refuse_element(object, count);
+  if (index < 0 || index >= count) session().kernel.refuse_element(object, count);
 }
 
 void symreal_original_range(double low, double high) {
   OwnWork const own;
-  Kernel::current().set_range(low, high);
+  session().kernel.set_range(low, high);
 }
 
 void symreal_original_state(char const *state, char const *derivative, char const *file, unsigned line,
                             unsigned column) {
   OwnWork const own;
-  Kernel::current().set_state({state, derivative, {file, line, column}});
+  session().kernel.set_state({state, derivative, {file, line, column}});
 }
 
 void symreal_original_differentiate(char const *wish, char const *file, unsigned line, unsigned column) {
   OwnWork const own;
-  Kernel::current().differentiate({wish, {file, line, column}});
+  session().kernel.differentiate({wish, {file, line, column}});
 }
 
 void symreal_original_generate(char const *name, char const *file, unsigned line, unsigned column) {
   OwnWork const own;
-  Kernel::current().end_region(name, {file, line, column});
+  session().kernel.end_region(name, {file, line, column});
 }
 
 void symreal_original_later(int active) {
-  symreal::trace::is_later = active != 0;
-  if (active) symreal::trace::later.clear();
+  annotations().is_later = active != 0;
+  if (active) annotations().later.clear();
 }
 
 void symreal_original_outputs(int *active) {
   if (symreal_original_leaving(*active))
-    for (auto const &one : symreal::trace::later) {
+    for (auto const &one : annotations().later) {
       SourcePlace const &place = one.place;
       if (!symreal_original_object("output", one.label.c_str(), place.file, place.line, place.column, place.frame))
         continue;

@@ -24,21 +24,21 @@ std::vector<std::size_t> Targets::foreign() const {
   if (!detail::recording) return foreign;
   trace::Pause const pause;
   for (std::size_t k = 0; k < numbers_.size(); ++k)
-    if (trace::State::current().is_foreign(numbers_[k])) foreign.push_back(k);
+    if (trace::session().state.is_foreign(numbers_[k])) foreign.push_back(k);
   return foreign;
 }
 
 std::vector<bool> Targets::take_written(std::vector<std::size_t> const &foreign) const {
   trace::Pause const pause;
   std::vector<bool> written;
-  for (std::size_t k : foreign) written.push_back(trace::State::current().take_written(numbers_[k]));
+  for (std::size_t k : foreign) written.push_back(trace::session().state.take_written(numbers_[k]));
   return written;
 }
 
 void Targets::keep(std::vector<std::size_t> const &foreign, std::vector<bool> const &written_before,
                    std::vector<RealNumber> const &values) const {
   trace::Pause const pause;
-  trace::State &state = trace::State::current();
+  trace::State &state = trace::session().state;
   for (std::size_t k = 0; k < foreign.size(); ++k) {
     RealNumber const *number = numbers_[foreign[k]];
     bool const written = state.take_written(number);
@@ -129,7 +129,7 @@ void Loop::narrow(SymbolicBool condition) {
 
 void Loop::stop() {
   path_.reset();
-  bool const is_hypothetical = trace::ExploredPath::current().is_hypothetical();
+  bool const is_hypothetical = trace::session().path.is_hypothetical();
   bool const goes_on = !active_.is_symbolic() || detail::carried_value(active_.condition()) != 0;
   if (goes_on && (!is_hypothetical || !active_.is_symbolic()))
     trace::report_here(DiagnosticId::loop_exceeded,
@@ -140,7 +140,8 @@ void Loop::stop() {
 }
 
 RealNumber const &detail::keep(RealNumber x) {
-  static thread_local std::deque<RealNumber> kept; // a deque keeps its elements in place
+  // The program's memory, which joins compare, not the session's own. A deque keeps its elements in place.
+  static thread_local std::deque<RealNumber> kept;
   return kept.emplace_back(x);
 }
 

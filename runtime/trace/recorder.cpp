@@ -4,21 +4,9 @@
 #include "engine/graph/names.h"
 #include "engine/support/mutation/is_dropped.h"
 #include "engine/support/number.h"
-#include "runtime/trace/calls/external_call.h"
-#include "runtime/trace/decisions/checkpoint.h"
-#include "runtime/trace/decisions/explored_path.h"
-#include "runtime/trace/decisions/guards.h"
-#include "runtime/trace/decisions/join.h"
-#include "runtime/trace/leaks/trap.h"
-#include "runtime/trace/nodes/externals.h"
-#include "runtime/trace/nodes/pool.h"
-#include "runtime/trace/nodes/torn_numbers.h"
-#include "runtime/trace/outside/world.h"
 #include "runtime/trace/report/events.h"
+#include "runtime/trace/session.h"
 #include "runtime/trace/sinks.h"
-#include "runtime/trace/state/state.h"
-#include "runtime/trace/text/environment.h"
-#include "runtime/trace/text/text_marks.h"
 #include "runtime/wire/request.h"
 
 #include <algorithm>
@@ -77,27 +65,15 @@ public:
   explicit Recorder(bool has_notes) : has_notes_(has_notes) {}
 
   void begin(std::string const &name, void const *frame) override {
-    Checkpoint::current().begin();
     graph_ = {};
     implicit_ = {};
     unwritten_.clear();
     declared_.clear();
     overlaps_.clear();
     written_.clear();
-    event({"started", name});
-    flush_events();
-    Pool::current().begin();
-    State::current().begin(frame);
-    TornNumbers::current().begin();
-    Guards::current().begin();
-    ExploredPath::current().begin();
-    Externals::current().begin();
     std::copy(std::begin(detail::executed), std::end(detail::executed), executed_before_.by_op.begin());
-    TextMarks::current().begin();
     modes_at_begin_ = Environment::unusual_modes();
-    enable_trap();
-    if (!Join::current().is_arm()) watch_world();
-    Environment::current().begin(); // the last, which sees errno as the kernel will
+    session_.begin_kernel(name, frame);
   }
 
   void begin_object(Kind kind, std::string const &label, Place const &place) override {
@@ -118,7 +94,7 @@ public:
     Pause const pause;
     auto &real = *static_cast<RealNumber *>(number);
     if (implicit_.is_open()) return implicit_.element(&real);
-    Pool &pool = Pool::current();
+    Pool &pool = session_.pool;
     switch (kind_) {
     case Kind::constant:
     case Kind::scratch: break;
@@ -127,7 +103,7 @@ public:
       if (is_temporary) break;
       written_.push_back(&real);
       check_overlap(number);
-      if (!State::current().output(&real) && has_notes_) keep(real);
+      if (!session_.state.output(&real) && has_notes_) keep(real);
       break;
     case Kind::input:
     case Kind::parameter: {
@@ -143,7 +119,7 @@ public:
       real = pool.leaf(is_input ? Node::input(slot) : Node::parameter(slot), value);
       if (is_temporary) break;
       written_.push_back(&real);
-      State::current().input(&real, object_.label, object_.place);
+      session_.state.input(&real, object_.label, object_.place);
     }
     }
     ++object_.count;
@@ -153,14 +129,14 @@ public:
     Pause const pause;
     std::string name = object_.label;
     for (Level const &level : shape_) name += "." + level.members.back().name;
-    if (kind_ == Kind::input || kind_ == Kind::parameter) State::current().member(scalar, name, object_.place);
+    if (kind_ == Kind::input || kind_ == Kind::parameter) session_.state.member(scalar, name, object_.place);
   }
 
   // Receives objects of the original, whose annotations tell bytes.
   void bytes(void const *begin, std::size_t size) override {
     Pause const pause;
-    if (kind_ == Kind::constant) State::current().constant_with_owned(begin, size);
-    if (kind_ == Kind::scratch) State::current().scratch(begin, size, [](void const *, Numbers &) {});
+    if (kind_ == Kind::constant) session_.state.constant_with_owned(begin, size);
+    if (kind_ == Kind::scratch) session_.state.scratch(begin, size, [](void const *, Numbers &) {});
   }
   void holder(void const *begin, std::size_t size) override {
     if (kind_ == Kind::output) handed_over(begin, size);
@@ -168,11 +144,11 @@ public:
   void handed_over(void const *begin, std::size_t size) override {
     if (is_dropped("handed_over")) return;
     Pause const pause;
-    State::current().handed_over(begin, size);
+    session_.state.handed_over(begin, size);
   }
   void own(void const *begin, std::size_t size) override {
     Pause const pause;
-    State::current().local(begin, size, detail::Scope::parameter, "a parameter", "");
+    session_.state.local(begin, size, detail::Scope::parameter, "a parameter", "");
   }
 
   void begin_members() override { shape_.emplace_back(); }
@@ -235,41 +211,26 @@ public:
   void differentiate(DerivativeWish const &wish) override { graph_.wishes.push_back(wish); }
 
   void end(std::string const &name, std::string const &output_file, Place const &place) override {
-    if (Join::current().is_arm()) end_arm(place);
-    judge_world(place);
+    if (session_.join.is_arm()) end_arm(place);
+    session_.leave_kernel(name, place, unwritten_);
     memory::OwnWork const own;
-    if (!disable_trap())
-      report({DiagnosticId::trap_lost, place,
-              "kernel '" + name + "' changes the floating-point environment or the handler of SIGFPE or SIGTRAP"});
     graph_.kernel = name;
-    Checkpoint::current().go_back(unwritten_);
-    Checkpoint::current().end();
     // A kernel left by an exception on a hypothetical path has no result.
-    if (graph_.outputs.empty() && ExploredPath::current().is_hypothetical()) give_up();
+    if (graph_.outputs.empty() && session_.path.is_hypothetical()) give_up();
     check_modes(place);
-    Pool &pool = Pool::current();
     for (std::size_t op = 0; op < graph_.executed.by_op.size(); ++op)
       graph_.executed.by_op[op] = detail::executed[op] - executed_before_.by_op[op];
     check_outputs(place);
-    TornNumbers::current().end();
-    if (has_notes_)
-      graph_.frozen = State::current().end(place, !Guards::current().empty());
-    else
-      State::current().end_untold();
-    TextMarks::current().end();
-    for (RealNumber *number : written_) pool.make_plain(*number);
-    Guards::current().end(graph_);
-    ExploredPath::current().end();
+    session_.end_kernel(graph_, place, has_notes_, written_);
     hand_over(output_file);
   }
 
   void cut_off() override {
     Pause const pause;
-    (void)disable_trap();
     graph_.outputs.clear();
     graph_.results.clear();
     graph_.states.clear();
-    event({"cut"});
+    session_.cut_off_kernel(graph_);
     hand_over("");
     give_up();
   }
@@ -281,38 +242,19 @@ private:
     return kind == Kind::input ? graph_.inputs : kind == Kind::parameter ? graph_.parameters : graph_.outputs;
   }
 
-  // Reports effects of the kernel: generated code has only those of external functions, which are unrestricted.
-  static void judge_world(Place const &place) {
-    std::vector<Effect> const effects = effects_on_world();
-    if (!Externals::current().functions().empty()) return;
-    for (Effect const &effect : effects)
-      if (effect.kind == Effect::Kind::changes)
-        report({DiagnosticId::effect_outside, place,
-                "the kernel " + effect.what + ", and the generated code would not do so"});
-  }
-
   // Other changes that the arm leaves behind, besides its results, need a path of their own.
   void end_arm(Place const &place) {
     memory::OwnWork const own;
-    bool const leaves_more = Join::current().would([&] {
-      TornNumbers::current().end();
-      if (has_notes_) (void)State::current().end(place, !Guards::current().empty());
-      return anything_wrong() || has_told("scratch");
-    });
-    if (!unwritten_.empty()) Join::current().leave_unwritten(unwritten_);
-    if (graph_.outputs.empty() || leaves_more) Join::current().leave();
+    if (!unwritten_.empty()) session_.join.leave_unwritten(unwritten_);
+    if (graph_.outputs.empty() || session_.leaves_more(place, has_notes_)) session_.join.leave();
     std::string interface;
     for (std::vector<Object> const *list : {&graph_.inputs, &graph_.parameters, &graph_.outputs})
       for (Object const &object : *list) interface += object.label + " " + std::to_string(object.count) + "\n";
-    ExploredPath::current().end_arm(graph_.results, std::hash<std::string>()(interface));
+    session_.path.end_arm(graph_.results, std::hash<std::string>()(interface));
   }
 
   void hand_over(std::string const &output_file) {
-    Pool &pool = Pool::current();
-    Externals::current().end(graph_);
-    locate_nodes(pool.take_places());
-    graph_.node_exact = pool.exact();
-    graph_.nodes = pool.end();
+    locate_nodes(graph_.node_location);
     deliver(graph_, output_file);
   }
 
@@ -353,7 +295,7 @@ private:
   // Notes an output that holds a plain number and may not have been written.
   void keep(RealNumber &number) {
     unwritten_.push_back({&number, number.plain()});
-    std::map<RealNumber *, double> const &held = Checkpoint::current().held();
+    std::map<RealNumber *, double> const &held = session_.checkpoint.held();
     auto const before = held.find(&number);
     kept_.push_back({object_.count, before == held.end() ? number.plain() : before->second});
   }
@@ -369,7 +311,7 @@ private:
   }
 
   // Nodes of the same code share a location. Works in place: recordings of this length need the memory.
-  void locate_nodes(LongArray<std::uint32_t> addresses) {
+  void locate_nodes(LongArray<std::uint32_t> &addresses) {
     static_assert(std::is_same_v<std::uint32_t, LocationId>);
     std::unordered_map<std::uint32_t, LocationId> known;
     std::uint32_t last_address = 0;
@@ -386,7 +328,6 @@ private:
       }
       address = last;
     }
-    graph_.node_location = std::move(addresses);
   }
 
   void check_modes(Place const &end) {
@@ -403,12 +344,12 @@ private:
   void check_outputs(Place const &end) {
     if (graph_.outputs.empty())
       report({DiagnosticId::no_output, end, "kernel '" + graph_.kernel + "' ends without an output"});
-    if (!Guards::current().empty() || ExploredPath::current().has_decisions())
+    if (!session_.guards.empty() || session_.path.has_decisions())
       return; // on one path of several an output may well be constant
     for (Object const &output : graph_.outputs) {
       auto first = graph_.results.begin() + output.first;
-      bool constant = std::all_of(first, first + output.count, [](NodeId id) {
-        return Pool::current().nodes()[id].attribute == Attribute::constant;
+      bool constant = std::all_of(first, first + output.count, [this](NodeId id) {
+        return session_.pool.nodes()[id].attribute == Attribute::constant;
       });
       if (constant)
         report({DiagnosticId::constant_output, output.place,
@@ -416,6 +357,7 @@ private:
     }
   }
 
+  Session &session_ = Session::of_this_thread();
   bool const has_notes_;
   Graph graph_;
   Kind kind_ = Kind::input;

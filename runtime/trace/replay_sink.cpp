@@ -131,8 +131,7 @@ public:
     is_again_ = true;
     spoil_outputs();
     if (replay::replay_changes_formats()) change_formats();
-    Kernel::current().begin_again();
-    run_again();
+    session().kernel.run_again();
     replay::replay_end(); // this machine cannot
   }
   Graph const &interface() const override { return interface_; }

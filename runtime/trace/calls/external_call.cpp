@@ -2,7 +2,6 @@
 // numbers are pure external functions that are always at hand; so is the implicit function of a pragma.
 #include "runtime/trace/calls/external_call.h"
 
-#include "engine/graph/external.h"
 #include "engine/graph/graph_line.h"
 #include "engine/graph/implicit.h"
 #include "runtime/trace/decisions/decisions.h"
@@ -15,7 +14,6 @@
 
 #include <array>
 #include <cmath>
-#include <map>
 #include <memory>
 #include <span>
 
@@ -27,23 +25,23 @@ namespace {
 
 // Nodes of a call: its arguments as a list, its function, and what it is ordered after, unless the function is pure.
 RealNumber record_external_call(External const &external, std::span<RealNumber const> arguments, void const *caller) {
-  Pool &pool = Pool::current();
+  Pool &pool = session().pool;
   NodeTable const &nodes = pool.nodes();
   NodeId list = pool.node(0.0);
   for (RealNumber const number : arguments) {
     NodeId const value = pool.node(number); // before the table is asked: a constant may be new
     list = pool.node(pool.leaf(nodes.operation(Op::argument, list, value), 0, caller));
   }
-  NodeId const function = pool.node(static_cast<double>(Externals::current().number(external)));
+  NodeId const function = pool.node(static_cast<double>(session().externals.number(external)));
   if (external.pure) return pool.leaf(nodes.operation(Op::call, list, function), 0, caller);
-  NodeId const before = pool.node(Externals::current().last_effect());
+  NodeId const before = pool.node(session().externals.last_effect());
   RealNumber const call = pool.leaf(nodes.operation(Op::call_in_order, list, function, before), 0, caller);
-  Externals::current().set_last_effect(call);
+  session().externals.set_last_effect(call);
   return call;
 }
 
 RealNumber record_result(RealNumber call, std::size_t number, double value, void const *caller) {
-  Pool &pool = Pool::current();
+  Pool &pool = session().pool;
   NodeId const which = pool.node(static_cast<double>(number));
   return pool.leaf(pool.nodes().operation(Op::returned, pool.node(call), which), value, caller);
 }
@@ -77,7 +75,7 @@ void Implicit::relate(Part const &unknown, Part const &residual) const {
   if (residual.numbers.size() != count)
     refuse(residual, "has " + std::to_string(residual.numbers.size()) + " numbers, and '" + unknown.label + "' has " +
                          std::to_string(count));
-  Pool &pool = Pool::current();
+  Pool &pool = session().pool;
   for (RealNumber const number : unknown.numbers) {
     if (!number.is_node()) refuse(unknown, "depends on no input: nothing was solved");
     if (is_leaf(pool.nodes()[pool.node(number)].op)) refuse(unknown, "is an input or a parameter: nothing was solved");
@@ -96,7 +94,9 @@ void Implicit::relate(Part const &unknown, Part const &residual) const {
 
 namespace detail {
 
+using trace::ExternalShapes;
 using trace::Pool;
+using trace::session;
 using Kind = ExternalValue::Kind;
 
 void const *here() noexcept { return __builtin_return_address(0); }
@@ -113,16 +113,9 @@ std::vector<std::string> words(std::string_view text) {
   return result;
 }
 
-// A description, read.
-struct Shape {
-  External external;
-  std::vector<std::string> sizes; // per parameter, or empty
-};
-
-Shape const &shape_of(ExternalDescription const &description) {
-  using Key = std::tuple<char const *, char const *, bool>; // literals of the program
-  static thread_local std::map<Key, Shape> known;
-  auto [found, is_new] = known.try_emplace(Key(description.name, description.shape, description.pure));
+ExternalShapes::Shape const &shape_of(ExternalDescription const &description) {
+  ExternalShapes::Key const key(description.name, description.shape, description.pure);
+  auto [found, is_new] = session().external_shapes.known.try_emplace(key);
   if (!is_new) return found->second;
   std::string const head = std::string("0 \"") + description.name + "\"" + (description.pure ? " pure " : " ");
   Line line(head + description.shape, {description.file, description.line, description.column});
@@ -177,10 +170,10 @@ struct ExternalCall::State {
 
   // After the last argument: the node of the call, if one is needed.
   void record() {
-    Pool &pool = Pool::current();
+    Pool &pool = session().pool;
     ++executed[static_cast<unsigned>(external.pure ? Op::call : Op::call_in_order)];
     if (!pool.is_recording() || (external.pure && !is_symbolic)) return;
-    if (!external.pure && trace::current_path().is_node()) {
+    if (!external.pure && session().conditions.path.is_node()) {
       trace::report_here(DiagnosticId::external_under_condition,
                          "'" + external.name + "' may have effects and is called in an arm of a decision");
       trace::give_up();
@@ -202,7 +195,7 @@ struct ExternalCall::State {
 
 ExternalCall::ExternalCall(ExternalDescription const &description, void const *caller) noexcept
     : state_(new State) { // NOLINT(bugprone-unhandled-exception-at-new): without memory the program ends
-  Shape const &shape = shape_of(description);
+  ExternalShapes::Shape const &shape = shape_of(description);
   state_->external = shape.external;
   state_->sizes = &shape.sizes;
   state_->caller = caller;
@@ -270,7 +263,7 @@ ComplexParts compute_parts(ComplexFunction function, ComplexParts x, ComplexPart
   std::array<RealNumber, 4> const all = {x.real, x.imaginary, y.real, y.imaginary};
   std::span const operands(all.data(), std::size_t{2} * info(function).arity);
   ++executed[static_cast<unsigned>(Op::call)];
-  Pool &pool = Pool::current();
+  Pool &pool = session().pool;
   std::array<double, 4> arguments{};
   bool is_symbolic = false, is_missing = false;
   for (std::size_t k = 0; k < operands.size(); ++k) {

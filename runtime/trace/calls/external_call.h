@@ -2,14 +2,26 @@
 // an implicit function. See engine/graph/implicit.h.
 #pragma once
 
-#include "engine/diagnostics/diagnostic.h"
+#include "engine/graph/external.h"
 
 #include <symreal/real_number.h>
 
+#include <map>
 #include <string>
+#include <tuple>
 #include <vector>
 
 namespace symreal::trace {
+
+// Descriptions of external functions, read.
+struct ExternalShapes {
+  struct Shape {
+    External external;
+    std::vector<std::string> sizes; // per parameter, or empty
+  };
+  using Key = std::tuple<char const *, char const *, bool>; // literals of the program
+  std::map<Key, Shape> known;
+};
 
 class Implicit {
 public:

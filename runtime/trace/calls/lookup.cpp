@@ -16,15 +16,15 @@
 
 namespace symreal {
 
-using trace::Externals;
 using trace::Pool;
+using trace::session;
 
 void symreal_declare_table(void const *pointer, std::size_t count) noexcept {
-  Externals::current().declare_extent(pointer, count);
+  session().externals.declare_extent(pointer, count);
 }
 
 std::size_t detail::declared_extent(void const *pointer) noexcept {
-  return Externals::current().declared_extent(pointer);
+  return session().externals.declared_extent(pointer);
 }
 
 namespace {
@@ -34,7 +34,7 @@ namespace {
 std::size_t carried_index(char const *name, RealNumber index, std::size_t extent) {
   double const value = index.is_node() ? detail::needed_value(index) : index.plain();
   bool const is_inside = value > -1 && value < static_cast<double>(extent);
-  if (!is_inside && !trace::ExploredPath::current().is_hypothetical())
+  if (!is_inside && !session().path.is_hypothetical())
     trace::report_here(DiagnosticId::index_outside, std::string("'") + name + "' has " + std::to_string(extent) +
                                                         " elements, and the index " + trace::describe(index) + " is " +
                                                         shortest(value));
@@ -68,7 +68,7 @@ RealNumber const detail::look_up(TableName table, void const *elements, std::siz
   std::size_t const count = rows * std::max<std::size_t>(columns, 1);
   std::size_t at = carried_index(name, row, rows);
   if (columns != 0) at = at * columns + carried_index(name, column, columns);
-  Pool &pool = Pool::current();
+  Pool &pool = session().pool;
   if (std::any_of(numbers, numbers + count, [](RealNumber number) { return number.is_node(); })) {
     // A table of expressions, not constants: the index is decided.
     if (row.is_node()) (void)convert_to_integer(row);
@@ -80,7 +80,7 @@ RealNumber const detail::look_up(TableName table, void const *elements, std::siz
   Op const op = columns == 0 ? Op::lookup : Op::lookup2;
   ++executed[static_cast<unsigned>(op)];
   NodeId const which =
-      pool.node(static_cast<double>(Externals::current().number(table_of(name, numbers, rows, columns))));
+      pool.node(static_cast<double>(session().externals.number(table_of(name, numbers, rows, columns))));
   NodeId const i = pool.node(row), j = columns == 0 ? no_node : pool.node(column);
   return pool.leaf(pool.nodes().operation(op, which, i, j), numbers[at].plain(), caller);
 }

@@ -83,8 +83,8 @@ void close_one(int &file) {
 } // namespace
 
 PartingPoint PartingPoint::now() {
-  return {static_cast<NodeId>(Pool::current().nodes().size()), Guards::current().recorded().size(), trace::told(),
-          Externals::current().last_effect(), detail::has_text};
+  return {static_cast<NodeId>(session().pool.nodes().size()), session().guards.recorded().size(), trace::told(),
+          session().externals.last_effect(), detail::has_text};
 }
 
 std::optional<Arrival> Arrival::here(PartingPoint const &since, Stand *stand, bool is_hypothetical) {
@@ -105,17 +105,17 @@ std::optional<Arrival> Arrival::at_end(PartingPoint const &since, std::vector<Re
 }
 
 std::optional<Arrival> Arrival::since(PartingPoint const &parted, bool is_hypothetical) {
-  bool const has_effect = Externals::current().last_effect().to_bits() != parted.last_effect.to_bits();
+  bool const has_effect = session().externals.last_effect().to_bits() != parted.last_effect.to_bits();
   bool const has_text = detail::has_text != parted.has_text;
-  if (has_effect || has_text || told() != parted.told || !State::current().is_journal_complete()) return std::nullopt;
+  if (has_effect || has_text || told() != parted.told || !session().state.is_journal_complete()) return std::nullopt;
   Arrival arrival;
-  arrival.facts = {Externals::current().tables().size(), Externals::current().functions().size(),
+  arrival.facts = {session().externals.tables().size(), session().externals.functions().size(),
                    static_cast<int>(decisions()), modes_of_arithmetic()};
-  arrival.nodes = Pool::current().rows_from(parted.nodes);
-  std::vector<Guards::Recorded> const &guards = Guards::current().recorded();
+  arrival.nodes = session().pool.rows_from(parted.nodes);
+  std::vector<Guards::Recorded> const &guards = session().guards.recorded();
   arrival.guards.assign(guards.begin() + static_cast<std::ptrdiff_t>(parted.guards), guards.end());
-  arrival.notes = State::current().journal();
-  arrival.arm = current_arm();
+  arrival.notes = session().state.journal();
+  arrival.arm = session().conditions.arm;
   arrival.is_hypothetical = is_hypothetical;
   return arrival;
 }

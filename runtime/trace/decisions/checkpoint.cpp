@@ -19,12 +19,6 @@ constexpr double nonsense = -6.48074069840786e97; // the poison: any number that
 
 } // namespace
 
-Checkpoint &Checkpoint::current() {
-  static constinit thread_local Checkpoint *checkpoint = nullptr;
-  if (!checkpoint) checkpoint = memory::make_own<Checkpoint>();
-  return *checkpoint;
-}
-
 void Checkpoint::begin() {
   held_.clear();
   end(); // of a kernel that was left
@@ -61,7 +55,7 @@ void Checkpoint::go_back(std::span<Unwritten const> unwritten) {
   for (Unwritten const &one : doubtful)
     if (write(to_copy_, &one, sizeof one) != sizeof one) return; // not the last: the copy is gone
   close(to_copy_);
-  Join::current().hand_over(copy_);
+  join_.hand_over(copy_);
   int status = 0;
   while (waitpid(copy_, &status, 0) < 0 && errno == EINTR) {
   }

@@ -4,6 +4,8 @@
 // were not written. An arm that ends with such outputs does likewise (join.h).
 #pragma once
 
+#include "runtime/trace/parts/parts.h"
+
 #include <symreal/real_number.h>
 
 #include <map>
@@ -19,7 +21,7 @@ struct Unwritten {
 
 class Checkpoint {
 public:
-  static Checkpoint &current(); // one per thread
+  explicit Checkpoint(Join &join) : join_(join) {}
 
   // A kernel begins; the copy, if it is asked to go on, returns from here as well, and has a copy in turn.
   void begin();
@@ -36,6 +38,7 @@ public:
 private:
   void wait_as_copy(int source);
 
+  Join &join_;
   int copy_ = 0, to_copy_ = -1;
   std::map<RealNumber *, double> held_;
 };

@@ -22,13 +22,13 @@
 #include <cstdlib>
 #include <cstring>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace symreal {
 
-static constexpr int as_the_program = -1;
-static __thread int scoped_policy = as_the_program;
-static constinit thread_local RealNumber path{1.0}, arm{1.0};
+using trace::Conditions;
+using trace::session;
 
 static Decisions program_policy() {
   static Decisions const policy = [] {
@@ -47,7 +47,8 @@ static Decisions program_policy() {
 }
 
 Decisions decisions() noexcept {
-  return scoped_policy == as_the_program ? program_policy() : static_cast<Decisions>(scoped_policy);
+  int const policy = session().conditions.policy;
+  return policy == Conditions::as_the_program ? program_policy() : static_cast<Decisions>(policy);
 }
 
 bool detail::selects() noexcept {
@@ -55,26 +56,21 @@ bool detail::selects() noexcept {
   return policy == Decisions::select || policy == Decisions::best;
 }
 
-DecisionScope::DecisionScope(Decisions policy) noexcept : before_(scoped_policy) {
-  scoped_policy = static_cast<int>(policy);
+DecisionScope::DecisionScope(Decisions policy) noexcept
+    : before_(std::exchange(session().conditions.policy, static_cast<int>(policy))) {}
+DecisionScope::~DecisionScope() { session().conditions.policy = before_; }
+
+ExactScope::ExactScope() noexcept : before_(session().pool.set_exact(true)) {}
+ExactScope::~ExactScope() { session().pool.set_exact(before_); }
+
+PathScope::PathScope(SymbolicBool condition) noexcept : before_(session().conditions.path) {
+  session().conditions.path = (SymbolicBool::from_condition(before_) & condition).condition();
 }
-DecisionScope::~DecisionScope() { scoped_policy = before_; }
+PathScope::~PathScope() { session().conditions.path = before_; }
 
-ExactScope::ExactScope() noexcept : before_(trace::Pool::current().set_exact(true)) {}
-ExactScope::~ExactScope() { trace::Pool::current().set_exact(before_); }
-
-PathScope::PathScope(SymbolicBool condition) noexcept : before_(path) {
-  path = (SymbolicBool::from_condition(path) & condition).condition();
-}
-PathScope::~PathScope() { path = before_; }
-
-void require(SymbolicBool condition) noexcept { trace::Guards::current().add(condition, true); }
+void require(SymbolicBool condition) noexcept { session().guards.add(condition, true); }
 
 namespace trace {
-
-RealNumber current_path() { return path; }
-void set_arm(RealNumber condition) { arm = condition; }
-RealNumber current_arm() { return arm; }
 
 FloatingPoint floating_point() {
   static FloatingPoint const mode = [] {
@@ -98,14 +94,14 @@ static void require_value(double value, std::string const &what) {
 
 double needed_value(RealNumber x) noexcept {
   memory::OwnWork const own;
-  double value = Pool::current().carried_value(x);
+  double value = session().pool.carried_value(x);
   if (trace::is_missing(value)) require_value(value, "the value of " + trace::describe(x));
   return value;
 }
 
 // Whether the node may be an infinite or NaN constant passed on. The search is bounded: true if it is cut short.
 static bool may_be_own_infinity(NodeId node) {
-  NodeTable const &nodes = Pool::current().nodes();
+  NodeTable const &nodes = session().pool.nodes();
   constexpr std::size_t most = 1000;
   std::vector<NodeId> seen = {node};
   for (std::size_t k = 0; k < seen.size(); ++k) {
@@ -123,7 +119,7 @@ static bool may_be_own_infinity(NodeId node) {
 // it and decides.
 static bool is_settled(RealNumber x) {
   if (trace::floating_point() == FloatingPoint::strict) return false;
-  double value = Pool::current().carried_value(x);
+  double value = session().pool.carried_value(x);
   return trace::is_missing(value) || std::isfinite(value);
 }
 
@@ -133,17 +129,17 @@ RealNumber compare(Op op, RealNumber x, RealNumber y) noexcept {
     trace::report_settled(trace::describe(op, x, y));
     return RealNumber(evaluate(op, 0, 0, 0));
   }
-  return Pool::current().record(op, x, y, 0.0, __builtin_return_address(0));
+  return session().pool.record(op, x, y, 0.0, __builtin_return_address(0));
 }
 
 RealNumber compare_finite(RealNumber x) noexcept {
-  if (is_settled(x) && !may_be_own_infinity(Pool::current().node(x))) {
+  if (is_settled(x) && !may_be_own_infinity(session().pool.node(x))) {
     memory::OwnWork const own;
     trace::report_settled("isfinite(" + trace::describe(x) + ")");
     return 1.0;
   }
   void const *caller = __builtin_return_address(0);
-  Pool &pool = Pool::current();
+  Pool &pool = session().pool;
   RealNumber magnitude = pool.record(Op::abs, x, 0.0, 0.0, caller);
   return pool.record(Op::le, magnitude, std::numeric_limits<double>::max(), 0.0, caller);
 }
@@ -154,19 +150,18 @@ static void report(std::string const &decision) {
   else
     trace::report_decision(decision);
   // A hypothetical path must not go on with a value that the program cannot have here.
-  if (trace::ExploredPath::current().is_hypothetical()) trace::give_up();
+  if (session().path.is_hypothetical()) trace::give_up();
 }
 
 static bool decide_at(trace::Stand &stand) {
   memory::OwnWork const own;
   RealNumber const condition = RealNumber::from_bits(stand.condition);
-  double const value = Pool::current().carried_value(condition);
+  double const value = session().pool.carried_value(condition);
   if (trace::is_missing(value)) require_value(value, "the decision on " + trace::describe(condition));
-  trace::State::current().decided();
-  if (decisions() == Decisions::explore || decisions() == Decisions::best)
-    return trace::ExploredPath::current().decide(stand);
+  session().state.decided();
+  if (decisions() == Decisions::explore || decisions() == Decisions::best) return session().path.decide(stand);
   if (decisions() == Decisions::guard)
-    trace::Guards::current().add(SymbolicBool::from_condition(condition), value != 0);
+    session().guards.add(SymbolicBool::from_condition(condition), value != 0);
   else
     report(trace::describe(condition));
   return value != 0;
@@ -180,10 +175,10 @@ static std::string conversion(RealNumber x) { return "the conversion of " + trac
 double convert_to_integer(RealNumber x) noexcept {
   memory::OwnWork const own;
   double value = needed_value(x);
-  trace::State::current().decided();
+  session().state.decided();
   if (is_guarded())
-    trace::Guards::current().add(trunc(x) == RealNumber(std::trunc(value)),
-                                 conversion(x) + std::string(guard_gives) + shortest(std::trunc(value)));
+    session().guards.add(trunc(x) == RealNumber(std::trunc(value)),
+                         conversion(x) + std::string(guard_gives) + shortest(std::trunc(value)));
   else
     report(conversion(x));
   return value;
@@ -192,11 +187,11 @@ double convert_to_integer(RealNumber x) noexcept {
 std::uint64_t convert_wide(RealNumber integer) noexcept {
   memory::OwnWork const own;
   double const value = needed_value(integer);
-  trace::State::current().decided();
+  session().state.decided();
   if (is_guarded())
-    trace::Guards::current().add(wide_equal(integer64_of_bits(integer), integer64(bits(value))),
-                                 conversion(integer) + std::string(guard_gives) +
-                                     std::to_string(static_cast<std::int64_t>(bits(value))));
+    session().guards.add(wide_equal(integer64_of_bits(integer), integer64(bits(value))),
+                         conversion(integer) + std::string(guard_gives) +
+                             std::to_string(static_cast<std::int64_t>(bits(value))));
   else
     report(conversion(integer));
   return bits(value);

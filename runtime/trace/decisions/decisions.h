@@ -10,10 +10,12 @@ namespace symreal::trace {
 // Entry `fp` of the request: under mode finite every value is finite, which settles some conditions.
 FloatingPoint floating_point();
 
-// The condition under which statements execute now: 1, or the conjunction of those pushed by with_path.
-RealNumber current_path();
-// The condition of the arm that this process executes (join.h).
-void set_arm(RealNumber condition);
-RealNumber current_arm();
+// The conditions under which the statements of a thread execute.
+struct Conditions {
+  static constexpr int as_the_program = -1;
+  int policy = as_the_program; // for decisions, of the innermost scope
+  RealNumber path = 1.0;       // 1, or the conjunction of those pushed by with_path
+  RealNumber arm = 1.0;        // of the arm that this process executes (join.h)
+};
 
 } // namespace symreal::trace

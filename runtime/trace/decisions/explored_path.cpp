@@ -38,12 +38,6 @@ std::size_t number(std::string_view text) {
 
 } // namespace
 
-ExploredPath &ExploredPath::current() {
-  static constinit thread_local ExploredPath *path = nullptr;
-  if (!path) path = memory::make_own<ExploredPath>();
-  return *path;
-}
-
 bool ExploredPath::is_asked_for() { return wire::requested(wire::Entry::path) != nullptr; }
 
 void ExploredPath::begin() {
@@ -67,27 +61,26 @@ void ExploredPath::begin() {
 }
 
 std::optional<bool> ExploredPath::known(NodeId condition) const {
-  NodeTable const &nodes = Pool::current().nodes();
+  NodeTable const &nodes = pool_.nodes();
   std::optional<bool> const outcome = known_.outcome(nodes, condition);
   return outcome ? outcome : outcome_of_bounds(nodes, condition);
 }
 
 std::optional<ExploredPath::Assumed> ExploredPath::assumed(NodeId condition, bool carried) const {
-  NodeTable const &nodes = Pool::current().nodes();
+  NodeTable const &nodes = pool_.nodes();
   auto const may_be = [&](std::optional<bool> outcome) { return outcome && (is_hypothetical_ || *outcome == carried); };
   std::optional<bool> const nonzero = explores_zeros_ ? std::nullopt : outcome_without_zero(nodes, condition);
   if (may_be(nonzero)) return Assumed{*nonzero, Guards::Reason::zero};
-  std::optional<bool> const in_range = outcome_in_ranges(nodes, condition, Kernel::current().interface().inputs);
+  std::optional<bool> const in_range = outcome_in_ranges(nodes, condition, kernel_.interface().inputs);
   return may_be(in_range) ? std::optional(Assumed{*in_range, Guards::Reason::range}) : std::nullopt;
 }
 
 bool ExploredPath::decide(Stand &stand) {
-  Pool &pool = Pool::current();
   for (;;) {
     RealNumber const condition = RealNumber::from_bits(stand.condition);
-    bool const carried = pool.carried_value(condition) != 0;
+    bool const carried = pool_.carried_value(condition) != 0;
     if (!condition.is_node()) return carried; // all that came together here agree
-    NodeId const id = pool.node(condition);
+    NodeId const id = pool_.node(condition);
     if (std::optional<bool> const outcome = known(id)) {
       ++followed_;
       is_hypothetical_ = is_hypothetical_ || *outcome != carried;
@@ -97,11 +90,11 @@ bool ExploredPath::decide(Stand &stand) {
       if (count_++ == 0) event({"undecided", std::to_string(kernels_ - 1)});
       return carried;
     }
-    bool const is_arm = Join::current().is_arm();
+    bool const is_arm = join_.is_arm();
     if (std::optional<Assumed> const one = assumed(id, carried)) {
       if (is_arm) {
-        Guards::current().add(SymbolicBool::from_condition(condition), one->outcome, one->reason);
-        known_.add(pool.nodes(), id, one->outcome);
+        guards_.add(SymbolicBool::from_condition(condition), one->outcome, one->reason);
+        known_.add(pool_.nodes(), id, one->outcome);
       } else {
         bool const is_by_range = one->reason == Guards::Reason::range;
         tell(id, one->outcome, condition, is_by_range ? (one->outcome ? "Y" : "N") : one->outcome ? "T" : "F");
@@ -110,15 +103,15 @@ bool ExploredPath::decide(Stand &stand) {
       return one->outcome;
     }
     if (is_arm) {
-      if (count_ >= depth_) Join::current().leave();
-      if (std::optional<bool> const outcome = Join::current().stand(stand, *this)) return take_in_arm(stand, *outcome);
+      if (count_ >= depth_) join_.leave();
+      if (std::optional<bool> const outcome = join_.stand(stand, *this)) return take_in_arm(stand, *outcome);
       end_attempt(); // this process is the program now, and decides here
       continue;
     }
     if (count_ >= depth_) {
-      if (is_hypothetical_) Kernel::current().sink().cut_off();
-      Guards::current().add(SymbolicBool::from_condition(condition), carried);
-      known_.add(pool.nodes(), id, carried);
+      if (is_hypothetical_) kernel_.sink().cut_off();
+      guards_.add(SymbolicBool::from_condition(condition), carried);
+      known_.add(pool_.nodes(), id, carried);
       ++beyond_;
       return carried;
     }
@@ -126,42 +119,39 @@ bool ExploredPath::decide(Stand &stand) {
     if (is_prescribed ? prescribed_[count_] == 'j' : pieces_left_ != 0) {
       begin_attempt(condition);
       std::size_t const most = is_prescribed ? Region::unbounded : pieces_left_;
-      if (std::optional<bool> const outcome = Join::current().attempt(stand, *this, most))
-        return take_in_arm(stand, *outcome);
-      note_in_vain(Join::current().tried());
+      if (std::optional<bool> const outcome = join_.attempt(stand, *this, most)) return take_in_arm(stand, *outcome);
+      note_in_vain(join_.tried());
     }
     bool const outcome = is_prescribed ? prescribed_[count_] == 't' : carried;
     is_hypothetical_ = is_hypothetical_ || outcome != carried;
     take(id, outcome, condition);
-    if (is_cut_at_end_ && count_ == prescribed_.size()) Kernel::current().sink().cut_off();
+    if (is_cut_at_end_ && count_ == prescribed_.size()) kernel_.sink().cut_off();
     return outcome;
   }
 }
 
 // Takes an outcome in a process that executes an arm.
 bool ExploredPath::take_in_arm(Stand const &stand, bool outcome) {
-  Pool &pool = Pool::current();
   RealNumber const number = RealNumber::from_bits(stand.condition);
-  bool const carried = pool.carried_value(number) != 0;
+  bool const carried = pool_.carried_value(number) != 0;
   is_hypothetical_ = is_hypothetical_ || outcome != carried;
   if (!number.is_node()) return outcome;
-  NodeId const id = pool.node(number);
+  NodeId const id = pool_.node(number);
   SymbolicBool const condition = SymbolicBool::from_condition(number);
   if (std::optional<Assumed> const one = assumed(id, carried); one && one->outcome == outcome) {
-    Guards::current().add(condition, outcome, one->reason);
+    guards_.add(condition, outcome, one->reason);
   } else {
-    set_arm((SymbolicBool::from_condition(current_arm()) & (outcome ? condition : !condition)).condition());
+    conditions_.arm = (SymbolicBool::from_condition(conditions_.arm) & (outcome ? condition : !condition)).condition();
     ++count_;
   }
-  known_.add(pool.nodes(), id, outcome);
+  known_.add(pool_.nodes(), id, outcome);
   return outcome;
 }
 
 std::optional<bool> ExploredPath::settled(RealNumber condition) const {
-  Pool &pool = Pool::current();
-  bool const carried = pool.carried_value(condition) != 0;
+  bool const carried = pool_.carried_value(condition) != 0;
   if (!condition.is_node()) return carried;
-  NodeId const id = pool.node(condition);
+  NodeId const id = pool_.node(condition);
   if (std::optional<bool> const outcome = known(id)) return outcome;
   std::optional<Assumed> const one = assumed(id, carried);
   return one ? std::optional(one->outcome) : std::nullopt;
@@ -175,7 +165,7 @@ void ExploredPath::forget(bool is_hypothetical) {
 void ExploredPath::begin_attempt(RealNumber condition) {
   known_before_ = known_;
   count_before_ = count_;
-  guards_before_ = Guards::current().recorded().size();
+  guards_before_ = guards_.recorded().size();
   attempted_ = condition;
   attempted_at_ = call_stack();
 }
@@ -189,24 +179,20 @@ void ExploredPath::note_in_vain(std::size_t pieces) {
 void ExploredPath::end_attempt() {
   count_ = count_before_ + 1;
   known_ = known_before_;
-  JoinCosts const costs = Join::current().costs();
-  event({"decided", std::to_string(Pool::current().node(attempted_)), "j", describe(attempted_),
-         hexadecimal(attempted_at_)});
+  JoinCosts const costs = join_.costs();
+  event({"decided", std::to_string(pool_.node(attempted_)), "j", describe(attempted_), hexadecimal(attempted_at_)});
   event({"join", hexadecimal(attempted_at_)});
-  auto const guards = [this](Guards::Reason reason) {
-    return std::to_string(Guards::current().count(guards_before_, reason));
-  };
+  auto const guards = [this](Guards::Reason reason) { return std::to_string(guards_.count(guards_before_, reason)); };
   event({"joined", std::to_string(costs.pieces), std::to_string(costs.selects), guards(Guards::Reason::zero),
          guards(Guards::Reason::range)});
   note_taken('j');
 }
 
 void ExploredPath::end_arm(std::vector<NodeId> &results, std::size_t interface) {
-  Pool &pool = Pool::current();
   std::vector<RealNumber> numbers;
-  for (NodeId id : results) numbers.push_back(pool.number(id));
-  Join::current().stand_at_end(numbers, interface, *this);
-  for (std::size_t k = 0; k < results.size(); ++k) results[k] = pool.node(numbers[k]);
+  for (NodeId id : results) numbers.push_back(pool_.number(id));
+  join_.stand_at_end(numbers, interface, *this);
+  for (std::size_t k = 0; k < results.size(); ++k) results[k] = pool_.node(numbers[k]);
   end_attempt();
 }
 
@@ -217,7 +203,7 @@ void ExploredPath::take(NodeId condition, bool outcome, RealNumber number) {
 }
 
 void ExploredPath::tell(NodeId condition, bool outcome, RealNumber number, char const *letter) {
-  known_.add(Pool::current().nodes(), condition, outcome);
+  known_.add(pool_.nodes(), condition, outcome);
   event({"decided", std::to_string(condition), letter, describe(number), hexadecimal(call_stack())});
 }
 

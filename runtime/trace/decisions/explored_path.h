@@ -31,7 +31,12 @@ namespace symreal::trace {
 
 class ExploredPath : private Traveller {
 public:
-  static ExploredPath &current(); // one per thread
+  ExploredPath(Pool &pool, Kernel &kernel, Conditions &conditions, Guards &guards, Join &join)
+      : pool_(pool),
+        kernel_(kernel),
+        conditions_(conditions),
+        guards_(guards),
+        join_(join) {}
 
   // Whether a driver runs this program along a path; false in a program started by hand.
   static bool is_asked_for();
@@ -65,6 +70,11 @@ private:
   void take(NodeId condition, bool outcome, RealNumber number);
   void tell(NodeId condition, bool outcome, RealNumber number, char const *letter);
 
+  Pool &pool_;
+  Kernel &kernel_;
+  Conditions &conditions_;
+  Guards &guards_;
+  Join &join_;
   bool is_explored_ = false, is_hypothetical_ = false, is_cut_at_end_ = false, explores_zeros_ = false;
   std::size_t kernels_ = 0, count_ = 0, followed_ = 0, beyond_ = 0, depth_ = 0, pieces_left_ = 0;
   std::string prescribed_;

@@ -11,12 +11,6 @@
 
 namespace symreal::trace {
 
-Guards &Guards::current() {
-  static constinit thread_local Guards *guards = nullptr;
-  if (!guards) guards = memory::make_own<Guards>();
-  return *guards;
-}
-
 void Guards::begin() {
   recorded_.clear();
   known_.clear();
@@ -34,13 +28,12 @@ void Guards::add(SymbolicBool condition, std::string text) {
 }
 
 void Guards::add(SymbolicBool condition, std::string text, Reason reason) {
-  RealNumber const path = current_path(), arm = current_arm();
+  RealNumber const path = conditions_.path, arm = conditions_.arm;
   SymbolicBool const guard = (!SymbolicBool::from_condition(path)) | condition;
   if (!guard.is_symbolic()) return; // nothing to check: it holds on every run
   if (path.is_node()) text += std::string(guard_where) + describe(path);
-  Pool &pool = Pool::current();
-  Recorded recorded{pool.node(guard.condition()), {}, std::move(text), reason};
-  if (arm.is_node()) recorded.arms = {pool.node(arm)};
+  Recorded recorded{pool_.node(guard.condition()), {}, std::move(text), reason};
+  if (arm.is_node()) recorded.arms = {pool_.node(arm)};
   if (known_.contains({recorded.needed, recorded.arms})) return;
   recorded.stack = call_stack();
   add(std::move(recorded));
@@ -65,7 +58,6 @@ std::size_t Guards::count(std::size_t first, Reason reason) const {
 }
 
 void Guards::end(Graph &graph) {
-  Pool &pool = Pool::current();
   std::map<NodeId, std::set<NodeId>> arms;
   std::set<NodeId> everywhere;
   for (Recorded const &guard : recorded_) {
@@ -79,8 +71,8 @@ void Guards::end(Graph &graph) {
     std::string text = guard.text;
     if (!everywhere.contains(guard.needed)) {
       SymbolicBool any(false);
-      for (NodeId arm : found->second) any = any | SymbolicBool::from_condition(pool.number(arm));
-      condition = pool.node(((!any) | SymbolicBool::from_condition(pool.number(guard.needed))).condition());
+      for (NodeId arm : found->second) any = any | SymbolicBool::from_condition(pool_.number(arm));
+      condition = pool_.node(((!any) | SymbolicBool::from_condition(pool_.number(guard.needed))).condition());
       text += std::string(guard_where) +
               (found->second.size() == 1 ? describe(any.condition()) : std::string(guard_of_several));
     }

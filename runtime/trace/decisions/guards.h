@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/graph/graph.h"
+#include "runtime/trace/parts/parts.h"
 
 #include <symreal/real_number.h>
 
@@ -15,7 +16,7 @@ namespace symreal::trace {
 
 class Guards {
 public:
-  static Guards &current(); // one per thread
+  Guards(Pool &pool, Conditions const &conditions) : pool_(pool), conditions_(conditions) {}
 
   void begin();
   // Reason why only one outcome is recorded.
@@ -47,6 +48,8 @@ private:
   void add(SymbolicBool condition, std::string text, Reason reason);
   void add(Recorded guard);
 
+  Pool &pool_;
+  Conditions const &conditions_;
   std::vector<Recorded> recorded_;
   std::set<std::pair<NodeId, std::set<NodeId>>> known_; // of these
 };

@@ -37,12 +37,6 @@ int Join::exit_status(pid_t process) {
   return process > 0 && WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
-Join &Join::current() {
-  static constinit thread_local Join *join = nullptr;
-  if (!join) join = memory::make_own<Join>();
-  return *join;
-}
-
 JoinCosts const &Join::costs() const { return shared_->costs; }
 
 std::optional<bool> Join::attempt(Stand &stand, Traveller &traveller, std::size_t most_pieces) {
@@ -70,7 +64,7 @@ std::optional<bool> Join::attempt(Stand &stand, Traveller &traveller, std::size_
     status = exit_status(coordinator);
   }
   if (status != come_together) {
-    Checkpoint::current().go_back({shared_->unwritten, shared_->unwritten_count});
+    checkpoint_.go_back({shared_->unwritten, shared_->unwritten_count});
     return std::nullopt;
   }
   if (is_root_) stand_for_main();
@@ -79,7 +73,7 @@ std::optional<bool> Join::attempt(Stand &stand, Traveller &traveller, std::size_
 
 // The driver waits for this process: it ends as the program does.
 void Join::stand_for_main() {
-  Checkpoint::current().leave_to_others();
+  checkpoint_.leave_to_others();
   for (;;) {
     int status = 0;
     pid_t const ended = waitpid(-1, &status, 0);
@@ -101,9 +95,9 @@ void Join::hand_over(pid_t process) {
 
 std::optional<bool> Join::coordinate(Stand &stand, Traveller &traveller, std::size_t most_pieces, int arms) {
   parted_ = PartingPoint::now();
-  State::current().begin_journal();
+  state_.begin_journal();
   std::size_t const tried_before = shared_->tried;
-  Region region(arms_, parted_, RealNumber::from_bits(stand.condition), traveller.is_hypothetical(),
+  Region region(pool_, arms_, parted_, RealNumber::from_bits(stand.condition), traveller.is_hypothetical(),
                 most_pieces - std::min(most_pieces, tried_before));
   std::optional<int> last;
   for (std::size_t round = 0; round < Region::most_rounds && !last; ++round) {
@@ -191,7 +185,7 @@ std::optional<bool> Join::serve(Stand *stand, std::vector<RealNumber> *results, 
     } else if (command.what == Arms::go_on) {
       is_arm_ = false;
       show_output();
-      set_arm(1.0);
+      conditions_.arm = 1.0;
       arms_.close_all();
       keep_events(false);
       for (auto left = reader.get<std::size_t>(); left != 0; --left)
@@ -230,11 +224,10 @@ std::optional<bool> Join::serve(Stand *stand, std::vector<RealNumber> *results, 
 }
 
 void Join::merge(Arms::Merge const &merge, std::vector<RealNumber> *results, Traveller &traveller) {
-  Pool &pool = Pool::current();
-  std::vector<NodeId> const now = pool.adopt(parted_.nodes, merge.nodes);
+  std::vector<NodeId> const now = pool_.adopt(parted_.nodes, merge.nodes);
   auto const here = [&](NodeId node) { return node < parted_.nodes ? node : now[node - parted_.nodes]; };
   for (auto const &[address, node] : merge.numbers) {
-    RealNumber const number = pool.number(here(node));
+    RealNumber const number = pool_.number(here(node));
     if (!results)
       *address = number.to_bits();
     else if (address)
@@ -242,12 +235,12 @@ void Join::merge(Arms::Merge const &merge, std::vector<RealNumber> *results, Tra
   }
   std::vector<Guards::Recorded> guards = merge.guards;
   for (Guards::Recorded &guard : guards) guard = renumbered(std::move(guard), here);
-  Guards::current().replace(parted_.guards, std::move(guards));
+  guards_.replace(parted_.guards, std::move(guards));
   bool const recording = std::exchange(detail::recording, false);
-  bool const has_learned = State::current().learn(merge.notes);
+  bool const has_learned = state_.learn(merge.notes);
   detail::recording = recording;
   if (!has_learned) leave();
-  set_arm(merge.arm == no_node ? RealNumber(1.0) : pool.number(here(merge.arm)));
+  conditions_.arm = merge.arm == no_node ? RealNumber(1.0) : pool_.number(here(merge.arm));
   traveller.forget(merge.is_hypothetical);
 }
 

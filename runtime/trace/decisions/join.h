@@ -27,7 +27,12 @@ public:
 
 class Join {
 public:
-  static Join &current(); // one per thread
+  Join(Pool &pool, State &state, Conditions &conditions, Guards &guards, Checkpoint &checkpoint)
+      : pool_(pool),
+        state_(state),
+        conditions_(conditions),
+        guards_(guards),
+        checkpoint_(checkpoint) {}
 
   // Whether this process executes an arm.
   bool is_arm() const { return is_arm_; }
@@ -80,6 +85,11 @@ private:
   void hide_output();
   void show_output();
 
+  Pool &pool_;
+  State &state_;
+  Conditions &conditions_;
+  Guards &guards_;
+  Checkpoint &checkpoint_;
   int shown_[2] = {-1, -1};
   int arm_ = 0, arrived_ = -1; // whether its parent was notified that it stands
   Shared *shared_ = nullptr;

@@ -22,9 +22,10 @@ int milliseconds_for_an_arm() {
 
 } // namespace
 
-Region::Region(Arms &arms, PartingPoint const &parted, RealNumber condition, bool is_hypothetical,
+Region::Region(Pool &pool, Arms &arms, PartingPoint const &parted, RealNumber condition, bool is_hypothetical,
                std::size_t most_pieces)
-    : arms_(arms),
+    : pool_(pool),
+      arms_(arms),
       parted_(parted),
       condition_(condition),
       is_hypothetical_(is_hypothetical),
@@ -96,8 +97,7 @@ NodeId Region::here(Way const &way, NodeId node) const {
 
 RealNumber Region::here(Way const &way, std::uint64_t bits) const {
   RealNumber const number = RealNumber::from_bits(bits);
-  Pool &pool = Pool::current();
-  return pool.owns(number) ? pool.number(here(way, pool.node(number))) : number;
+  return pool_.owns(number) ? pool_.number(here(way, pool_.node(number))) : number;
 }
 
 bool Region::arrive(int arm, std::size_t from, bool outcome) {
@@ -106,7 +106,7 @@ bool Region::arrive(int arm, std::size_t from, bool outcome) {
   std::size_t const number = ways_.size();
   ways_.push_back({arm, from, outcome, std::move(*arrival), {}});
   Way &way = ways_.back();
-  way.nodes = Pool::current().adopt(parted_.nodes, way.arrival.nodes);
+  way.nodes = pool_.adopt(parted_.nodes, way.arrival.nodes);
   way.arrival.image.renumber(parted_.nodes, way.nodes);
   places_[from].next[outcome] = number;
   bool const is_hypothetical = way.arrival.is_hypothetical;
@@ -174,10 +174,9 @@ std::optional<Region::Numbers> Region::numbers(std::size_t from, std::size_t to,
 
 RealNumber Region::chosen(RealNumber condition, RealNumber yes, RealNumber no) {
   if (yes.to_bits() == no.to_bits()) return yes;
-  Pool &pool = Pool::current();
-  std::size_t const before = pool.nodes().size();
-  RealNumber const number = pool.record(Op::select, condition, yes, no);
-  if (pool.node(number) >= before) ++costs_.selects;
+  std::size_t const before = pool_.nodes().size();
+  RealNumber const number = pool_.record(Op::select, condition, yes, no);
+  if (pool_.node(number) >= before) ++costs_.selects;
   return number;
 }
 
@@ -190,9 +189,8 @@ std::vector<std::vector<std::uintptr_t>> Region::decided_at() const {
 
 // One comparison of selected numbers rather than a select between two.
 RealNumber Region::chosen_condition(RealNumber condition, RealNumber yes, RealNumber no) {
-  Pool &pool = Pool::current();
   if (yes.to_bits() == no.to_bits() || !yes.is_node() || !no.is_node()) return chosen(condition, yes, no);
-  Node const a = pool.nodes()[pool.node(yes)], b = pool.nodes()[pool.node(no)];
+  Node const a = pool_.nodes()[pool_.node(yes)], b = pool_.nodes()[pool_.node(no)];
   if (a.op != b.op) return chosen(condition, yes, no);
   switch (a.op) {
   case Op::lt:
@@ -201,11 +199,11 @@ RealNumber Region::chosen_condition(RealNumber condition, RealNumber yes, RealNu
   case Op::ge:
   case Op::eq:
   case Op::ne:
-    return pool.record(a.op, chosen(condition, pool.number(a.operand[0]), pool.number(b.operand[0])),
-                       chosen(condition, pool.number(a.operand[1]), pool.number(b.operand[1])), 0.0);
+    return pool_.record(a.op, chosen(condition, pool_.number(a.operand[0]), pool_.number(b.operand[0])),
+                        chosen(condition, pool_.number(a.operand[1]), pool_.number(b.operand[1])), 0.0);
   case Op::logical_not:
-    return pool.record(a.op, chosen_condition(condition, pool.number(a.operand[0]), pool.number(b.operand[0])), 0.0,
-                       0.0);
+    return pool_.record(a.op, chosen_condition(condition, pool_.number(a.operand[0]), pool_.number(b.operand[0])), 0.0,
+                        0.0);
   default: return chosen(condition, yes, no);
   }
 }
@@ -217,13 +215,12 @@ std::vector<Guards::Recorded> Region::guards(Place const &place) const {
     bool everywhere = false;
     std::size_t whole = 0; // ways that need it on all of their arm
   };
-  Pool &pool = Pool::current();
   std::vector<NodeId> order;
   std::map<NodeId, Needed> all;
   std::set<NodeId> own_arms;
   for (std::size_t k : place.ways) {
     RealNumber const arm = here(ways_[k], ways_[k].arrival.arm.to_bits());
-    NodeId const own = arm.is_node() ? pool.node(arm) : no_node;
+    NodeId const own = arm.is_node() ? pool_.node(arm) : no_node;
     own_arms.insert(own);
     std::set<NodeId> whole;
     for (Guards::Recorded const &one : ways_[k].arrival.guards) {
@@ -242,7 +239,7 @@ std::vector<Guards::Recorded> Region::guards(Place const &place) const {
     if (whole == place.ways.size()) {
       for (NodeId arm : own_arms) guard.arms.erase(arm);
       if (place.arm.is_node())
-        guard.arms.insert(pool.node(place.arm));
+        guard.arms.insert(pool_.node(place.arm));
       else
         everywhere = true;
     }
@@ -273,8 +270,8 @@ void Region::merge(std::size_t at, bool is_last) {
   Known known;
   std::optional<Numbers> const numbers = this->numbers(0, at, addresses, known);
   internal_check(numbers.has_value()); // each of these ways comes from the root
-  Pool &pool = Pool::current();
-  for (std::size_t k = 0; k < addresses.size(); ++k) merge.numbers.emplace_back(addresses[k], pool.node((*numbers)[k]));
+  for (std::size_t k = 0; k < addresses.size(); ++k)
+    merge.numbers.emplace_back(addresses[k], pool_.node((*numbers)[k]));
   place.condition = numbers->front();
   std::vector<std::size_t> const &ways = place.ways;
   if (ways.size() == 2 && ways_[ways[0]].from == ways_[ways[1]].from) {
@@ -286,9 +283,9 @@ void Region::merge(std::size_t at, bool is_last) {
   }
   if (is_last) place.arm = 1.0;
   merge.guards = guards(place);
-  merge.arm = place.arm.is_node() ? pool.node(place.arm) : no_node;
+  merge.arm = place.arm.is_node() ? pool_.node(place.arm) : no_node;
   merge.is_hypothetical = place.is_hypothetical;
-  merge.nodes = pool.rows_from(parted_.nodes);
+  merge.nodes = pool_.rows_from(parted_.nodes);
   MessageWriter writer;
   write_merge(merge, writer);
   arms_.send(first.arm, {.what = Arms::merge}, writer.bytes());

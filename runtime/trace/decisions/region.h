@@ -22,7 +22,8 @@ public:
   static constexpr std::size_t unbounded = static_cast<std::size_t>(-1);
 
   // `most_pieces`: limit on the pieces of a run, all rounds together.
-  Region(Arms &arms, PartingPoint const &parted, RealNumber condition, bool is_hypothetical, std::size_t most_pieces);
+  Region(Pool &pool, Arms &arms, PartingPoint const &parted, RealNumber condition, bool is_hypothetical,
+         std::size_t most_pieces);
 
   // The first arm stands at the decision. Returns the arm in which all ways have come together.
   std::optional<int> run();
@@ -71,6 +72,7 @@ private:
   int rank(Place const &place) const;
   std::optional<std::size_t> next_place() const;
 
+  Pool &pool_;
   Arms &arms_;
   PartingPoint const parted_;
   RealNumber const condition_;

@@ -22,13 +22,13 @@ static std::string leaf_name(std::vector<Object> const &objects, std::uint32_t s
 
 static std::string describe_external(Node const &node, std::string const *operands) {
   auto number = [&](std::size_t i) {
-    return static_cast<std::size_t>(Pool::current().nodes()[node.operand[i]].value());
+    return static_cast<std::size_t>(session().pool.nodes()[node.operand[i]].value());
   };
   if (node.op == Op::lookup || node.op == Op::lookup2) {
-    std::string const text = Externals::current().tables()[number(0)].name + "[" + operands[1] + "]";
+    std::string const text = session().externals.tables()[number(0)].name + "[" + operands[1] + "]";
     return node.op == Op::lookup ? text : text + "[" + operands[2] + "]";
   }
-  if (is_call(node.op)) return Externals::current().functions()[number(1)].name + "(...)";
+  if (is_call(node.op)) return session().externals.functions()[number(1)].name + "(...)";
   return node.op == Op::returned ? operands[0] : "...";
 }
 
@@ -43,14 +43,14 @@ static std::string spelling(OperationInfo const &operation) {
 }
 
 static std::string describe_node(NodeId id, int depth) {
-  Node const &node = Pool::current().nodes()[id];
+  Node const &node = session().pool.nodes()[id];
   if (node.is_constant()) return shortest(node.value());
-  if (node.op == Op::input) return leaf_name(Kernel::current().interface().inputs, node.slot());
-  if (node.op == Op::parameter) return leaf_name(Kernel::current().interface().parameters, node.slot());
+  if (node.op == Op::input) return leaf_name(session().kernel.interface().inputs, node.slot());
+  if (node.op == Op::parameter) return leaf_name(session().kernel.interface().parameters, node.slot());
   if (depth == deepest) return "...";
   OperationInfo const &operation = info(node.op);
   if (node.op == Op::wide) { // of two constants
-    auto half = [&](std::size_t i) { return Pool::current().nodes()[node.operand[i]].value(); };
+    auto half = [&](std::size_t i) { return session().pool.nodes()[node.operand[i]].value(); };
     return std::to_string(integers::wide(half(0), half(1)));
   }
   if (node.op == Op::within_int32 || node.op == Op::within_uint32) return describe_node(node.operand[0], depth);
@@ -75,7 +75,7 @@ static std::string describe_node(NodeId id, int depth) {
 }
 
 std::string describe(RealNumber number) {
-  Pool &pool = Pool::current();
+  Pool &pool = session().pool;
   if (!number.is_node()) return shortest(number.plain());
   return pool.owns(number) ? describe_node(pool.node(number), 0) : "a value of another kernel";
 }
@@ -87,9 +87,10 @@ std::string describe(Op op, RealNumber x, RealNumber y) {
 } // namespace trace
 
 using trace::Pool;
+using trace::session;
 
 static Node view(RealNumber number) {
-  Pool &pool = Pool::current();
+  Pool &pool = session().pool;
   return number.is_node() ? pool.nodes()[pool.node(number)] : Node::constant(number.plain());
 }
 
@@ -119,6 +120,6 @@ std::ostream &operator<<(std::ostream &out, SymbolicExpr const &expression) {
   return out;
 }
 
-std::size_t SymbolicExprPool::size() noexcept { return Pool::current().nodes().size(); }
+std::size_t SymbolicExprPool::size() noexcept { return session().pool.nodes().size(); }
 
 } // namespace symreal

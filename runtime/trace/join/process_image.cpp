@@ -51,7 +51,7 @@ std::size_t ProcessImage::result_at(std::uint64_t const *address) {
 std::optional<std::vector<std::uint64_t *>> ProcessImage::differences(ProcessImage const &other) const {
   if (stand_ != other.stand_ || parts_ != other.parts_) return std::nullopt;
   std::vector<std::uint64_t *> found;
-  Pool const &pool = Pool::current();
+  Pool const &pool = session().pool;
   char const *here = bytes_.data(), *there = other.bytes_.data();
   for (Part const &part : parts_) {
     if (std::memcmp(here, there, part.size) != 0)
@@ -77,7 +77,7 @@ std::optional<std::vector<std::uint64_t *>> ProcessImage::differences(ProcessIma
 }
 
 void ProcessImage::renumber(NodeId first, std::vector<NodeId> const &now) {
-  Pool &pool = Pool::current();
+  Pool &pool = session().pool;
   char *here = bytes_.data();
   for (Part const &part : parts_) {
     std::size_t const misaligned = reinterpret_cast<std::uintptr_t>(part.begin) % word_size;

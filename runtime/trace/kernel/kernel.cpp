@@ -10,21 +10,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <csetjmp>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <string_view>
 #include <utility>
-#include <vector>
 
 namespace symreal::trace {
-
-Kernel &Kernel::current() {
-  static constinit thread_local Kernel *kernel = nullptr;
-  if (!kernel) kernel = memory::make_own<Kernel>();
-  return *kernel;
-}
 
 // Is the kernel left out of the recording? `name`: under which it begins.
 static bool is_inert(std::string_view name) {
@@ -135,39 +127,29 @@ void Kernel::end_region(char const *file_name, SourcePlace place) {
 
 #ifdef __x86_64__
 
-namespace symreal::trace {
-namespace {
-
-thread_local std::jmp_buf point;
-thread_local char *frame_begin = nullptr;
-thread_local std::vector<char> frame_bytes;
-thread_local bool is_again = false;
-
-} // namespace
-
-void run_again() {
-  if (!frame_begin) return;
+void symreal::trace::Kernel::run_again() {
+  muted_ = false;
+  phase_ = Phase::entering;
+  if (!beginning_.frame_at) return;
   // The function's frame lies above this one.
-  is_again = true;
-  std::memcpy(frame_begin, frame_bytes.data(), frame_bytes.size());
-  std::longjmp(point, 1);
+  beginning_.is_kept = true;
+  std::memcpy(beginning_.frame_at, beginning_.frame.data(), beginning_.frame.size());
+  std::longjmp(beginning_.point, 1);
 }
 
-} // namespace symreal::trace
-
-void *symreal_original_point() { return symreal::trace::point; }
+void *symreal_original_point() { return symreal::trace::session().kernel.beginning().point; }
 
 void symreal_original_keep(void const *frame) {
-  using namespace symreal::trace;
-  if (is_again) return; // only the first state is kept
+  symreal::trace::Kernel::Beginning &beginning = symreal::trace::session().kernel.beginning();
+  if (beginning.is_kept) return; // only the first state is kept
   symreal::memory::OwnWork const own;
   // The bytes from the end of the function's stack, where this frame begins, to its saved registers.
-  frame_begin = static_cast<char *>(__builtin_frame_address(0)) + 2 * sizeof(void *);
-  frame_bytes.assign(frame_begin, static_cast<char *>(const_cast<void *>(frame)));
+  beginning.frame_at = static_cast<char *>(__builtin_frame_address(0)) + 2 * sizeof(void *);
+  beginning.frame.assign(beginning.frame_at, static_cast<char *>(const_cast<void *>(frame)));
 }
 
 #else
 
-void symreal::trace::run_again() {}
+void symreal::trace::Kernel::run_again() {}
 
 #endif

@@ -10,13 +10,16 @@
 
 #include "engine/graph/graph.h"
 #include "runtime/memory/static_objects.h"
+#include "runtime/trace/parts/parts.h"
 
 #include <symreal/annotate.h>
 
+#include <csetjmp>
 #include <map>
 #include <memory>
 #include <set>
 #include <string>
+#include <vector>
 
 namespace symreal::trace {
 
@@ -66,15 +69,22 @@ using MakeSink = std::unique_ptr<Sink> (*)();
 
 class Kernel {
 public:
-  static Kernel &current(); // one per thread
-
   bool begin_object(MakeSink make_sink, Kind kind, char const *label, SourcePlace place);
   bool begin_function(MakeSink make_sink, char const *name, SourcePlace place, unsigned call);
   void accept_annotations() { muted_ = false, phase_ = phase_ == Phase::entering ? Phase::inside : phase_; }
   void begin_outputs() { phase_ = Phase::leaving; }
   void end_function();
-  // Runs the function of the kernel that has ended from its beginning.
-  void begin_again() { muted_ = false, phase_ = Phase::entering; }
+  // Runs the function of the kernel that has ended once more within the same call of it: jumps back to its beginning if
+  // the function has set the target (<symreal/original.h>); else returns. The function's own objects are then as at the
+  // first time, objects that outlive it as it has left them.
+  void run_again();
+  struct Beginning {
+    std::jmp_buf point;
+    char *frame_at = nullptr;
+    std::vector<char> frame; // the bytes of the function's frame there
+    bool is_kept = false;    // the function has run again, and finds the first state
+  };
+  Beginning &beginning() { return beginning_; }
   void end_region(char const *file_name, SourcePlace place);
 
   bool begin_implicit(std::string const &label, Place const &place) {
@@ -126,11 +136,7 @@ private:
   std::set<Where> recorded_;
   std::map<Where, unsigned> calls_;
   std::unique_ptr<Sink> sink_;
+  Beginning beginning_;
 };
-
-// Runs the function of the kernel that has ended once more within the same call of it: jumps back to its beginning if
-// the function has set the target (<symreal/original.h>); else does nothing. The function's own objects are then as at
-// the first time, objects that outlive it as it has left them.
-void run_again();
 
 } // namespace symreal::trace

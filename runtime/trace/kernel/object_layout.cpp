@@ -192,7 +192,7 @@ void visit_layout(void const volatile *object, char const *layout, detail::Visit
 void detail::walk_layout(void const volatile *object, char const *layout, VisitElements const *containers,
                          bool is_temporary, Extents *extents) noexcept {
   trace::Pause const pause; // how a container finds its elements is not the kernel's doing
-  trace::ToSink visitor(trace::Kernel::current().sink(), is_temporary);
+  trace::ToSink visitor(trace::session().kernel.sink(), is_temporary);
   std::vector<std::size_t> found;
   trace::visit_layout(object, layout, containers, visitor, extents ? &found : nullptr);
   if (extents)

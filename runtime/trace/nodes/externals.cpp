@@ -8,12 +8,6 @@
 
 namespace symreal::trace {
 
-Externals &Externals::current() {
-  static constinit thread_local Externals *externals = nullptr;
-  if (!externals) externals = memory::make_own<Externals>();
-  return *externals;
-}
-
 void Externals::begin() {
   tables_.clear();
   functions_.clear();
@@ -45,7 +39,7 @@ std::size_t Externals::number(External const &external) {
 void Externals::end(Graph &graph) {
   graph.tables = std::move(tables_);
   graph.externals = std::move(functions_);
-  if (last_effect_.is_node()) graph.last_effect = Pool::current().node(last_effect_);
+  if (last_effect_.is_node()) graph.last_effect = pool_.node(last_effect_);
   begin();
 }
 

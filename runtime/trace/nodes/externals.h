@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/graph/graph.h"
+#include "runtime/trace/parts/parts.h"
 
 #include <symreal/real_number.h>
 
@@ -13,7 +14,7 @@ namespace symreal::trace {
 
 class Externals {
 public:
-  static Externals &current(); // one per thread
+  explicit Externals(Pool &pool) : pool_(pool) {}
 
   void begin();
   // The number of a table with these elements, or of this function; added if new.
@@ -38,6 +39,7 @@ public:
   void end(Graph &graph);
 
 private:
+  Pool &pool_;
   std::vector<Table> tables_;
   std::vector<External> functions_;
   std::map<void const *, std::size_t> extents_;

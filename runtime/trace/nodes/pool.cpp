@@ -33,12 +33,6 @@ static std::uint32_t relative_address(void const *address) {
 
 bool is_missing(double value) { return std::bit_cast<std::uint64_t>(value) == missing_bits; }
 
-Pool &Pool::current() {
-  static constinit thread_local Pool *pool = nullptr;
-  if (!pool) pool = memory::make_own<Pool>();
-  return *pool;
-}
-
 Pool::Columns Pool::wanted_columns() {
   auto has = [](wire::Entry entry, bool otherwise) {
     char const *text = wire::requested(entry);
@@ -134,8 +128,8 @@ NodeId Pool::refuse(RealNumber number) const {
   if (is_dropped("check_bits")) return payload::id_of(number.to_bits()) % static_cast<NodeId>(table_.size());
   std::uint32_t const generation = payload::generation_of(number.to_bits());
   if (!is_known(generation) || generation == generation_) {
-    std::string const place = TornNumbers::current().place_of(number);
-    TornNumbers::current().end();
+    std::string const place = torn_numbers_.place_of(number);
+    torn_numbers_.end();
     report_here(DiagnosticId::torn_number,
                 "a number is used of which a part was overwritten; the rest is that of a symbolic value" +
                     (place.empty() ? "" : ": overwritten at " + place));
@@ -257,7 +251,7 @@ void Pool::run_out() {
 double Pool::carried_value(RealNumber number) { return number.is_node() ? value(operand(number)) : number.plain(); }
 
 RealNumber record_call(Op op, RealNumber x, RealNumber y, RealNumber z, void const *caller) noexcept {
-  Pool &pool = Pool::current();
+  Pool &pool = session().pool;
   try {
     return pool.record(op, x, y, z, caller);
   } catch (std::bad_alloc const &) {
@@ -270,6 +264,7 @@ RealNumber record_call(Op op, RealNumber x, RealNumber y, RealNumber z, void con
 namespace detail {
 
 using trace::Pool;
+using trace::session;
 
 RealNumber record(Op op, RealNumber x, RealNumber y, RealNumber z) noexcept {
   return trace::record_call(op, x, y, z, __builtin_return_address(0));
@@ -278,7 +273,7 @@ RealNumber record(Op op, RealNumber x, RealNumber y, RealNumber z) noexcept {
 RealNumber operate(Op op, RealNumber x, RealNumber y) noexcept {
   ++executed[static_cast<unsigned>(op)];
   if (x.is_node() || y.is_node()) {
-    Pool &pool = Pool::current();
+    Pool &pool = session().pool;
     try {
       return pool.record(op, x, y, 0.0, __builtin_return_address(0));
     } catch (std::bad_alloc const &) {
@@ -293,7 +288,7 @@ RealNumber operate(Op op, RealNumber x, RealNumber y) noexcept {
   }
 }
 
-double carried_value(RealNumber x) noexcept { return Pool::current().carried_value(x); }
+double carried_value(RealNumber x) noexcept { return session().pool.carried_value(x); }
 
 } // namespace detail
 } // namespace symreal

@@ -1,12 +1,12 @@
 // The pool of one thread: the graph being recorded with its node attributes: the carried values, and on request the
 // return addresses of the code that recorded them.
 //
-// One pool per thread rather than one behind a mutex: kernels recorded by several threads do not meet, and the
-// generation in each node tells one pool's nodes from another's.
+// Each thread has its own (trace/session.h): the generation in a node tells one pool's nodes from another's.
 #pragma once
 
 #include "engine/graph/node_table.h"
 #include "runtime/trace/nodes/payload.h"
+#include "runtime/trace/parts/parts.h"
 
 #include <symreal/annotate.h>
 #include <symreal/symbolic.h>
@@ -21,8 +21,7 @@ bool is_missing(double value);
 
 class Pool {
 public:
-  // Constant-initialised, made on first use, never destroyed: numbers with static storage would outlive it otherwise.
-  static Pool &current();
+  explicit Pool(TornNumbers &torn_numbers) : torn_numbers_(torn_numbers) {}
 
   struct Columns {
     bool values = true;  // false: a decision, print or conversion is an error
@@ -123,6 +122,7 @@ private:
   // Fills the columns for a node if it is new.
   void fill(NodeId id, double value, void const *caller);
 
+  TornNumbers &torn_numbers_;
   NodeTable table_;
   Columns columns_;
   LongArray<double> values_; // the carried value of each node

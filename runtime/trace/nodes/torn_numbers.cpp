@@ -35,15 +35,9 @@ template <class Visit> void each_word(TornNumbers::Bits bits, Visit visit) {
   }
 }
 
-bool is_whole(std::uint64_t word) { return Pool::current().owns(RealNumber::from_bits(word)); }
-
 } // namespace
 
-TornNumbers &TornNumbers::current() {
-  static constinit thread_local TornNumbers *numbers = nullptr;
-  if (!numbers) numbers = memory::make_own<TornNumbers>();
-  return *numbers;
-}
+bool TornNumbers::is_whole(std::uint64_t word) const { return pool_.owns(RealNumber::from_bits(word)); }
 
 void TornNumbers::begin() {
   memory::OwnWork const own;
@@ -158,17 +152,17 @@ void TornNumbers::end() {
 namespace detail {
 
 using trace::Pause;
-using trace::TornNumbers;
+using trace::session;
 
 void note_bits_stored(void const *begin, std::size_t first, std::size_t count, Holds holds, char const *name,
                       char const *place) noexcept {
   Pause const pause;
-  TornNumbers::current().store({begin, first, count}, holds == Holds::number, {name, place});
+  session().torn_numbers.store({begin, first, count}, holds == Holds::number, {name, place});
 }
 
 void note_number_used(void const *begin, std::size_t size, char const *name, char const *place) noexcept {
   Pause const pause;
-  TornNumbers::current().use({begin, 0, 8 * size}, {name, place});
+  session().torn_numbers.use({begin, 0, 8 * size}, {name, place});
 }
 
 } // namespace detail

@@ -6,6 +6,8 @@
 // names as a number cannot be reused: it is an error at the latest when the kernel ends.
 #pragma once
 
+#include "runtime/trace/parts/parts.h"
+
 #include <symreal/real_number.h>
 
 #include <cstddef>
@@ -19,7 +21,7 @@ namespace symreal::trace {
 
 class TornNumbers {
 public:
-  static TornNumbers &current(); // one per thread
+  explicit TornNumbers(Pool const &pool) : pool_(pool) {}
 
   struct Bits {
     void const *begin;
@@ -58,7 +60,9 @@ private:
   void drop(Table::iterator torn);
   void report_store(Torn const &torn, std::string const &used);
   void changed();
+  bool is_whole(std::uint64_t word) const;
 
+  Pool const &pool_;
   Table torn_;
   std::deque<Torn> gone_;          // the last of those whose memory was reused; copies may be left
   std::set<std::string> reported_; // places

@@ -14,7 +14,7 @@
 #include <malloc.h>
 
 using symreal::detail::recording;
-using symreal::trace::State;
+using symreal::trace::session;
 
 extern "C" {
 
@@ -32,7 +32,7 @@ void __libc_free(void *block);
 
 [[gnu::always_inline]] static inline void *noted(void *block, size_t size) {
   symreal::memory::note_allocated(block, size, __builtin_return_address(0));
-  if (recording && block) State::current().allocated(block, malloc_usable_size(block));
+  if (recording && block) session().state.allocated(block, malloc_usable_size(block));
   return block;
 }
 
@@ -59,15 +59,15 @@ void __libc_free(void *block);
   symreal::memory::note_allocated(moved, size, __builtin_return_address(0));
   if (!recording) return moved;
   if (moved)
-    State::current().moved(block, before, moved, malloc_usable_size(moved));
+    session().state.moved(block, before, moved, malloc_usable_size(moved));
   else if (size == 0)
-    State::current().released(block, before);
+    session().state.released(block, before);
   return moved;
 }
 
 [[gnu::weak]] void free(void *block) {
   if (block) symreal::memory::note_released(block);
-  if (recording && block) State::current().released(block, malloc_usable_size(block));
+  if (recording && block) session().state.released(block, malloc_usable_size(block));
   __libc_free(block);
 }
 

@@ -13,7 +13,7 @@
 
 namespace {
 
-using symreal::trace::State;
+using symreal::trace::session;
 
 // The library's; null in a program that has the C++ library within itself. A static variable here would need a guard.
 template <class Function> Function *original(Function *&known, char const *name) {
@@ -37,7 +37,7 @@ int symreal_initialisation_acquire(char *guard) asm("__cxa_guard_acquire");
   int const begins = acquire ? acquire(guard) : *guard == 0;
   if (begins && is_watched()) {
     symreal::trace::Pause const pause;
-    State::current().begin_initialisation(guard);
+    session().state.begin_initialisation(guard);
   }
   return begins;
 }
@@ -51,7 +51,7 @@ void symreal_initialisation_release(char *guard) asm("__cxa_guard_release");
     *guard = 1;
   if (!is_watched()) return;
   symreal::trace::Pause const pause;
-  State::current().end_initialisation(guard);
+  session().state.end_initialisation(guard);
 }
 
 void symreal_initialisation_abort(char *guard) asm("__cxa_guard_abort");
@@ -60,7 +60,7 @@ void symreal_initialisation_abort(char *guard) asm("__cxa_guard_abort");
   if (auto *const abort = original(known, "__cxa_guard_abort")) abort(guard);
   if (!is_watched()) return;
   symreal::trace::Pause const pause;
-  State::current().give_up_initialisation(guard);
+  session().state.give_up_initialisation(guard);
 }
 
 } // extern "C"

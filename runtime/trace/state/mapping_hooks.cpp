@@ -36,7 +36,7 @@ int symreal_mapping_munmap(void *begin, std::size_t size) asm("munmap");
   static auto const original = reinterpret_cast<int (*)(void *, std::size_t)>(dlsym(RTLD_NEXT, "munmap"));
   int const result = original(begin, size);
   if (result == 0 && symreal::detail::recording && !symreal::memory::OwnWork::is_going_on())
-    symreal::trace::State::current().released(begin, size);
+    symreal::trace::session().state.released(begin, size);
   return result;
 }
 

@@ -29,9 +29,9 @@ template <class Result> void note(char const *name, [[maybe_unused]] Result resu
   if (symreal::detail::recording && !is_left_out) {
     symreal::trace::Pause const pause;
     if constexpr (std::is_arithmetic_v<Result>)
-      symreal::trace::State::current().outside(name, {static_cast<double>(result)});
+      symreal::trace::session().state.outside(name, {static_cast<double>(result)});
     else
-      symreal::trace::State::current().outside(name, {});
+      symreal::trace::session().state.outside(name, {});
   }
   errno = kept;
 }

@@ -12,12 +12,6 @@
 
 namespace symreal::trace {
 
-State &State::current() {
-  static constinit thread_local State *state = nullptr;
-  if (!state) state = memory::make_own<State>();
-  return *state;
-}
-
 void State::begin(void const *frame) {
   *this = {};
   find_own_stack(frame);
@@ -168,7 +162,7 @@ bool State::counted(void const *object, detail::Visit visit) {
 }
 
 void State::check_bits(TornNumbers::Bits bits, char const *name, char const *place) {
-  if (!TornNumbers::current().is_symbolic(bits) || !reported_bits_.insert(place).second) return;
+  if (!session().torn_numbers.is_symbolic(bits) || !reported_bits_.insert(place).second) return;
   report({DiagnosticId::reinterpretation, written_place(place),
           "the bytes behind '" + std::string(name) + "' are those of a symbolic value"});
 }

@@ -6,6 +6,7 @@
 #include "runtime/memory/memory_image.h"
 #include "runtime/memory/own_memory.h"
 #include "runtime/trace/nodes/torn_numbers.h"
+#include "runtime/trace/parts/parts.h"
 #include "runtime/trace/state/shadow.h"
 
 #include <symreal/state.h>
@@ -32,8 +33,6 @@ struct StateNote {
 
 class State {
 public:
-  static State &current(); // one per thread
-
   // Starts the journal of learned facts.
   void begin_journal();
   std::vector<StateNote> const &journal() const { return journal_; }

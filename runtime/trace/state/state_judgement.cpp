@@ -66,7 +66,7 @@ std::string list(std::set<std::string> const &names) {
 } // namespace
 
 // A number that holds a node is an ordinary one again.
-void State::make_plain(RealNumber const *number) { Pool::current().make_plain(*const_cast<RealNumber *>(number)); }
+void State::make_plain(RealNumber const *number) { session().pool.make_plain(*const_cast<RealNumber *>(number)); }
 
 void State::report_lost(Site const &site) {
   if (is_private(site) || !reported_.insert(site).second) return;
@@ -317,7 +317,7 @@ void State::judge_initialised(Place const &kernel) {
 void State::judge_memory(Place const &kernel) {
   if (!image_ || is_dropped("memory")) return;
   // An external function may keep state of its own.
-  bool const calls_externals = !Externals::current().functions().empty();
+  bool const calls_externals = !session().externals.functions().empty();
   for (memory::Change const &change : image_->changes(known_changes())) {
     auto const named = names_.find(change.object);
     bool const is_named = named != names_.end();
@@ -382,8 +382,8 @@ void State::end_untold() {
   std::vector<memory::Change> const changes = image_ ? image_->changes({}) : std::vector<memory::Change>();
   for (memory::Change const &change : changes) {
     std::size_t const first = change.first / sizeof(RealNumber) * sizeof(RealNumber);
-    Pool::current().make_plain(change.object + first,
-                               std::min(change.size, change.end + sizeof(RealNumber) - 1) - first);
+    session().pool.make_plain(change.object + first,
+                              std::min(change.size, change.end + sizeof(RealNumber) - 1) - first);
   }
   image_.reset();
   shadow_.clear();

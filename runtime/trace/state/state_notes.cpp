@@ -16,73 +16,73 @@ namespace symreal {
 namespace detail {
 
 using trace::Pause;
-using trace::State;
+using trace::session;
 
 void note_static(void const *object, std::size_t size, Scope scope, char const *name, char const *place) noexcept {
   Pause const pause;
-  State::current().named(object, size, scope, name, place);
+  session().state.named(object, size, scope, name, place);
 }
 
 void note_local(void const *object, std::size_t size, Scope scope, char const *name, char const *place) noexcept {
   Pause const pause;
-  State::current().local(object, size, scope, name, place);
+  session().state.local(object, size, scope, name, place);
 }
 
-bool is_around(void const *address) noexcept { return State::current().is_around(address); }
+bool is_around(void const *address) noexcept { return session().state.is_around(address); }
 
 void note_read(RealNumber const *number, char const *name, char const *place) noexcept {
   Pause const pause;
-  State::current().read(number, name, place);
+  session().state.read(number, name, place);
 }
 
 void note_written(void const *begin, std::size_t size, char const *name, char const *place) noexcept {
   Pause const pause;
-  State::current().written(begin, size, name, place);
+  session().state.written(begin, size, name, place);
 }
 
 void note_scalar_read(ScalarObject scalar, char const *name, char const *place) noexcept {
   Pause const pause;
-  State::current().read(scalar, name, place);
+  session().state.read(scalar, name, place);
 }
 
 void note_pointer_read(void const *pointer, Behind what, char const *name, char const *place) noexcept {
   Pause const pause;
-  State::current().read_pointer(pointer, what, name, place);
+  session().state.read_pointer(pointer, what, name, place);
 }
 
 void note_chosen(void const *begin, std::size_t size) noexcept {
   Pause const pause;
-  State::current().chosen(begin, size);
+  session().state.chosen(begin, size);
 }
 
 void note_scalar_written(ScalarObject scalar, char const *name, char const *place) noexcept {
   Pause const pause;
-  State::current().written(scalar, name, place);
+  session().state.written(scalar, name, place);
 }
 
 void given_from_outside(char const *function, double value) noexcept {
   Pause const pause;
-  State::current().outside(function, {value});
+  session().state.outside(function, {value});
 }
 
 void note_changed(void const *object, Visit visit, char const *name, char const *place) noexcept {
   Pause const pause;
-  State::current().changed(object, visit, name, place);
+  session().state.changed(object, visit, name, place);
 }
 
 bool note_counted(void const *object, Visit visit) noexcept {
   Pause const pause;
-  return State::current().counted(object, visit);
+  return session().state.counted(object, visit);
 }
 
 void check_bits(void const *begin, std::size_t size, char const *name, char const *place) noexcept {
   Pause const pause;
-  State::current().check_bits({begin, 0, 8 * size}, name, place);
+  session().state.check_bits({begin, 0, 8 * size}, name, place);
 }
 
 void check_part(void const *begin, std::size_t first, std::size_t count, char const *name, char const *place) noexcept {
   Pause const pause;
-  State::current().check_bits({begin, first, count}, name, place);
+  session().state.check_bits({begin, first, count}, name, place);
 }
 
 void check_view(void const *begin, char const *name, char const *place) noexcept {
@@ -91,30 +91,30 @@ void check_view(void const *begin, char const *name, char const *place) noexcept
   auto const first = reinterpret_cast<std::uintptr_t>(begin);
   std::uintptr_t const end =
       on_own_stack(begin) ? own_stack + own_stack_size : reinterpret_cast<std::uintptr_t>(memory::object_end(begin));
-  State::current().check_bits({begin, 0, 8 * (end - first)}, name, place);
+  session().state.check_bits({begin, 0, 8 * (end - first)}, name, place);
 }
 
 void const *other_range_end(void const *end, bool is_last, char const *place) noexcept {
   Pause const pause;
-  return State::current().other_range_end(end, is_last, place);
+  return session().state.other_range_end(end, is_last, place);
 }
 
 void scratch(void const *object, std::size_t size, Visit visit) noexcept {
   if (!recording) return;
   Pause const pause;
-  State::current().scratch(object, size, visit);
+  session().state.scratch(object, size, visit);
 }
 
 void scratch_file(char const *file) noexcept {
   if (!recording) return;
   Pause const pause;
-  State::current().scratch_file(file);
+  session().state.scratch_file(file);
 }
 
 void constant_bytes(void const *object, std::size_t size) noexcept {
   if (!recording) return;
   Pause const pause;
-  State::current().constant(object, size);
+  session().state.constant(object, size);
 }
 
 } // namespace detail

@@ -17,12 +17,6 @@ namespace symreal {
 
 namespace trace {
 
-Environment &Environment::current() {
-  static constinit thread_local Environment *environment = nullptr;
-  if (!environment) environment = memory::make_own<Environment>();
-  return *environment;
-}
-
 void Environment::begin() {
   reported_.clear();
   is_error_own_ = false;
@@ -30,7 +24,7 @@ void Environment::begin() {
 }
 
 void Environment::error_read(char const *place) {
-  RealNumber const setter = Pool::current().last_to_set_error();
+  RealNumber const setter = pool_.last_to_set_error();
   bool const is_callers = !is_error_own_ && errno == error_at_begin_;
   if ((!setter.is_node() && !is_callers) || !reported_.insert(place).second) return;
   report({DiagnosticId::error_number, written_place(place),
@@ -65,25 +59,25 @@ std::string Environment::unusual_modes() {
 
 namespace detail {
 
-using trace::Environment;
 using trace::Pause;
+using trace::session;
 
 void error_read(char const *place) noexcept {
   Pause const pause;
-  Environment::current().error_read(place);
+  session().environment.error_read(place);
 }
 
 void error_written() noexcept {
-  trace::Pool::current().forget_error();
-  Environment::current().error_written();
+  trace::session().pool.forget_error();
+  session().environment.error_written();
 }
 
 void environment_used(char const *what, char const *place) noexcept {
   Pause const pause;
-  Environment::current().used(what, place);
+  session().environment.used(what, place);
 }
 
-void may_set_error(RealNumber x) noexcept { trace::Pool::current().may_set_error(x); }
+void may_set_error(RealNumber x) noexcept { trace::session().pool.may_set_error(x); }
 
 } // namespace detail
 } // namespace symreal

@@ -1,6 +1,8 @@
 // errno and the floating-point environment of a recording (<symreal/environment.h> describes the notes).
 #pragma once
 
+#include "runtime/trace/parts/parts.h"
+
 #include <set>
 #include <string>
 
@@ -8,7 +10,7 @@ namespace symreal::trace {
 
 class Environment {
 public:
-  static Environment &current(); // one per thread
+  explicit Environment(Pool const &pool) : pool_(pool) {}
 
   void begin();
   void error_read(char const *place);
@@ -19,6 +21,7 @@ public:
   static std::string unusual_modes();
 
 private:
+  Pool const &pool_;
   bool is_error_own_ = false; // errno has been written since the kernel began
   int error_at_begin_ = 0;
   std::set<std::string> reported_; // places

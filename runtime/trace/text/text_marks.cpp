@@ -61,12 +61,6 @@ std::pair<std::uint64_t, std::uint64_t> inode(std::FILE *file) {
 
 } // namespace
 
-TextMarks &TextMarks::current() {
-  static constinit thread_local TextMarks *marks = nullptr;
-  if (!marks) marks = memory::make_own<TextMarks>();
-  return *marks;
-}
-
 void TextMarks::begin() {
   *this = {};
   detail::has_text = false;
@@ -176,7 +170,7 @@ static std::string quoted_name(char const *name) { return "'" + std::string(name
 namespace detail {
 
 using trace::Pause;
-using trace::TextMarks;
+using trace::session;
 
 // The carried value, for text.
 double shown_value(RealNumber x) noexcept {
@@ -189,19 +183,19 @@ static RealNumber number(Shown value) { return RealNumber::from_bits(value.numbe
 
 static void length_used(Shown value, char const *used_at) {
   if (used_at)
-    TextMarks::current().report_read("the length that is used here is that of the text of", number(value), used_at);
+    session().text_marks.report_read("the length that is used here is that of the text of", number(value), used_at);
 }
 
 void made_text(char const *text, std::size_t size, Shown value, char const *used_at) noexcept {
   Pause const pause;
-  TextMarks::current().made(text, size, number(value));
+  session().text_marks.made(text, size, number(value));
   length_used(value, used_at);
 }
 
 void made_file(std::FILE *file, Shown value) noexcept {
   if (!value.number) return;
   Pause const pause;
-  TextMarks::current().made_file(file, number(value));
+  session().text_marks.made_file(file, number(value));
 }
 
 void made_length(Shown value, char const *used_at) noexcept {
@@ -212,48 +206,48 @@ void made_length(Shown value, char const *used_at) noexcept {
 void made_string(std::string_view text, RealNumber value) noexcept {
   if (!recording || !value.is_node()) return;
   Pause const pause;
-  TextMarks::current().made(text, value);
+  session().text_marks.made(text, value);
 }
 
 void made_stream(std::ios const &stream, std::string_view text, RealNumber value) noexcept {
   if (!recording || !value.is_node() || trace::is_standard(stream)) return;
   Pause const pause;
-  TextMarks::current().made_stream(stream, value);
-  TextMarks::current().made(text, value);
+  session().text_marks.made_stream(stream, value);
+  session().text_marks.made(text, value);
 }
 
 Shown value_in(char const *text, std::size_t size) noexcept {
   Pause const pause;
-  RealNumber const value = TextMarks::current().value_in(text, size);
+  RealNumber const value = session().text_marks.value_in(text, size);
   return {value.is_node() ? value.to_bits() : 0, 0};
 }
 
 static void judge(RealNumber value, char const *name, char const *place) {
   if (value.is_node())
-    TextMarks::current().report_read(trace::quoted_name(name) + " is read, which holds the text of", value, place);
+    session().text_marks.report_read(trace::quoted_name(name) + " is read, which holds the text of", value, place);
 }
 
 void read_character(char const *character, char const *name, char const *place) noexcept {
   Pause const pause;
-  judge(TextMarks::current().value_at(character, 1), name, place);
+  judge(session().text_marks.value_at(character, 1), name, place);
 }
 
 void read_text(char const *text, std::size_t size, char const *name, char const *place) noexcept {
   Pause const pause;
   if (!name)
-    TextMarks::current().look(text, size);
+    session().text_marks.look(text, size);
   else
-    judge(TextMarks::current().value_in(text, size), name, place);
+    judge(session().text_marks.value_in(text, size), name, place);
 }
 
 void read_file(std::FILE *file, char const *name, char const *place) noexcept {
   Pause const pause;
-  judge(TextMarks::current().value_in_file(file), name, place);
+  judge(session().text_marks.value_in_file(file), name, place);
 }
 
 void read_stream(std::ios const &stream, char const *name, char const *place) noexcept {
   Pause const pause;
-  judge(TextMarks::current().value_in_stream(stream), name, place);
+  judge(session().text_marks.value_in_stream(stream), name, place);
 }
 
 } // namespace detail

@@ -5,6 +5,8 @@
 // all of the text.
 #pragma once
 
+#include "runtime/trace/parts/parts.h"
+
 #include <symreal/text.h>
 
 #include <map>
@@ -17,8 +19,6 @@ namespace symreal::trace {
 
 class TextMarks {
 public:
-  static TextMarks &current(); // one per thread
-
   void begin();
   void end();
   void made(char const *text, std::size_t size, RealNumber value);

@@ -6,6 +6,7 @@
 #include "runtime/trace/text/type_names.h"
 
 #include "runtime/memory/own_memory.h"
+#include "runtime/trace/parts/parts.h"
 #include "runtime/trace/report/events.h"
 
 #include <symreal/environment.h>
@@ -380,16 +381,6 @@ private:
   std::vector<std::string> known_;
 };
 
-struct Names {
-  std::set<std::string> texts;    // that the program holds on to
-  std::set<std::string> reported; // places
-};
-Names &names() {
-  static constinit thread_local Names *all = nullptr;
-  if (!all) all = memory::make_own<Names>();
-  return *all;
-}
-
 bool is_of_numbers(char const *name) { return std::strstr(name, "7symreal5types") != nullptr; }
 
 // Lambdas are numbered, and the symbolic program has more of them than the original. Clang has "$_0" as well.
@@ -431,7 +422,7 @@ void give_name(char const *mangled, char const *place) noexcept {
   Pause const pause;
   std::optional<std::string> const original = is_ours ? trace::original_type_name(mangled) : std::nullopt;
   if (original && trace::overwrite(mangled, *original)) return;
-  if (reports && trace::names().reported.insert(place).second)
+  if (reports && trace::session().type_names.reported.insert(place).second)
     trace::report({DiagnosticId::type_name, trace::written_place(place),
                    "the name, hash or order is asked for of a type that has another name in the original"});
 }
@@ -446,7 +437,7 @@ char const *named(char const *text) noexcept {
   Pause const pause;
   std::string name(text);
   name.resize(original_name(text, name.data()));
-  return trace::names().texts.insert(name).first->c_str();
+  return trace::session().type_names.texts.insert(name).first->c_str();
 }
 
 } // namespace detail

@@ -20,26 +20,27 @@ using trace::Pool;
 class Decided : public testing::Test {
 protected:
   void SetUp() override {
-    Pool::current().begin();
-    Guards::current().begin();
-    x = Pool::current().leaf(Node::input(0), 0.5);
-    y = Pool::current().leaf(Node::input(1), 2.0);
+    trace::session().pool.begin();
+    trace::session().guards.begin();
+    x = trace::session().pool.leaf(Node::input(0), 0.5);
+    y = trace::session().pool.leaf(Node::input(1), 2.0);
   }
-  void TearDown() override { Pool::current().end(); }
+  void TearDown() override { trace::session().pool.end(); }
 
   static std::vector<double> values(double x_value, double y_value) {
     Graph graph;
-    for (NodeId id = 0; id < Pool::current().nodes().size(); ++id) graph.nodes.push_back(Pool::current().nodes()[id]);
+    for (NodeId id = 0; id < trace::session().pool.nodes().size(); ++id)
+      graph.nodes.push_back(trace::session().pool.nodes()[id]);
     double const inputs[] = {x_value, y_value};
     return evaluate(graph, inputs, {});
   }
   static double at(RealNumber result, double x_value, double y_value) {
-    NodeId id = Pool::current().node(result);
+    NodeId id = trace::session().pool.node(result);
     return values(x_value, y_value)[id];
   }
   static std::vector<Guard> guards() {
     Graph graph;
-    Guards::current().end(graph);
+    trace::session().guards.end(graph);
     return graph.guards;
   }
 

@@ -20,7 +20,7 @@ template <class Real> Real number(double value) {
   if constexpr (std::is_same_v<Real, double>)
     return value;
   else
-    return Pool::current().leaf(Node::input(slots++), value);
+    return trace::session().pool.leaf(Node::input(slots++), value);
 }
 
 template <class Real, int Size, int Declared> std::vector<double> results() {
@@ -57,9 +57,9 @@ template <int Size> void compare() {
 }
 
 TEST(Eigen, AssociatesAsOnDouble) {
-  Pool::current().begin();
+  trace::session().pool.begin();
   compare<2>(), compare<3>(), compare<4>(), compare<5>(), compare<6>(), compare<7>(), compare<8>();
-  Pool::current().end();
+  trace::session().pool.end();
 }
 
 } // namespace

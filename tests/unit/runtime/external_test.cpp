@@ -20,11 +20,11 @@ constexpr ExternalDescription swapping = {"swap_ends", true, "takes integer \"in
 class ExternalTest : public testing::Test {
 protected:
   void SetUp() override {
-    trace::Pool::current().begin({.values = true, .places = false});
-    trace::Externals::current().begin();
-    x = trace::Pool::current().leaf(Node::input(0), 3.0);
+    trace::session().pool.begin({.values = true, .places = false});
+    trace::session().externals.begin();
+    x = trace::session().pool.leaf(Node::input(0), 3.0);
   }
-  void TearDown() override { trace::Pool::current().end(); }
+  void TearDown() override { trace::session().pool.end(); }
   RealNumber x;
 };
 
@@ -45,8 +45,8 @@ TEST_F(ExternalTest, ACallWithEffectsIsKept) {
   EXPECT_NE(a.to_bits(), b.to_bits());
   EXPECT_TRUE(constant.is_node());
   Graph graph;
-  trace::Externals::current().end(graph);
-  graph.nodes = trace::Pool::current().nodes().nodes();
+  trace::session().externals.end(graph);
+  graph.nodes = trace::session().pool.nodes().nodes();
   ASSERT_EQ(graph.externals.size(), 1u);
   unsigned chain = 0;
   for (NodeId call = graph.last_effect; graph.nodes[call].op == Op::call_in_order; call = graph.nodes[call].operand[2])
@@ -64,8 +64,8 @@ TEST_F(ExternalTest, AnArrayHasTheSizeOfItsCall) {
   EXPECT_TRUE(values[0].is_node() && values[1].is_node());
   f(2, values);
   EXPECT_EQ(symreal_value(values[0]), 1);
-  ASSERT_EQ(trace::Externals::current().functions().size(), 2u);
-  EXPECT_EQ(trace::Externals::current().functions()[1].parameters[1].count, 2u);
+  ASSERT_EQ(trace::session().externals.functions().size(), 2u);
+  EXPECT_EQ(trace::session().externals.functions()[1].parameters[1].count, 2u);
 }
 
 TEST_F(ExternalTest, EffectsAreRefusedUnderACondition) {

@@ -113,10 +113,10 @@ TEST(Payload, NumbersThatAreMixedAreNoNodes) {
 class TornNumber : public testing::Test {
 protected:
   void SetUp() override {
-    Pool::current().begin();
-    x = Pool::current().leaf(Node::input(0), 0.5);
+    trace::session().pool.begin();
+    x = trace::session().pool.leaf(Node::input(0), 0.5);
   }
-  void TearDown() override { Pool::current().end(); }
+  void TearDown() override { trace::session().pool.end(); }
 
   // With these bytes of its own, and zeros.
   RealNumber torn(std::uint64_t kept) const { return RealNumber::from_bits((x * x).to_bits() & kept); }
@@ -129,7 +129,7 @@ TEST_F(TornNumber, IsRefused) {
   EXPECT_TRUE(Pool::is_torn(low_lost));
   EXPECT_FALSE(Pool::is_torn(x));
   EXPECT_FALSE(Pool::is_tagged(low_lost.to_bits()));
-  EXPECT_FALSE(Pool::current().owns(byte_lost));
+  EXPECT_FALSE(trace::session().pool.owns(byte_lost));
   EXPECT_EXIT((void)(low_lost + x), testing::ExitedWithCode(1), "a part was overwritten.*\\[SYM199\\]");
   EXPECT_EXIT((void)(byte_lost * 2.0), testing::ExitedWithCode(1), "a part was overwritten.*\\[SYM199\\]");
   EXPECT_EXIT((void)static_cast<bool>(low_lost < x), testing::ExitedWithCode(1),
@@ -147,13 +147,13 @@ TEST_F(TornNumber, IsNotTheNegativeOfASignalingNaN) {
 TEST_F(TornNumber, KeepsItsBytesWhenOthersBecomePlain) {
   RealNumber numbers[2] = {torn(~std::uint64_t{0xFF}), x};
   std::uint64_t const before = numbers[0].to_bits();
-  Pool::current().make_plain(numbers, sizeof numbers);
+  trace::session().pool.make_plain(numbers, sizeof numbers);
   EXPECT_EQ(numbers[0].to_bits(), before);
   EXPECT_EQ(numbers[1].plain(), 0.5);
 }
 
 TEST_F(TornNumber, IsKnownByItsPlace) {
-  auto &torn_numbers = trace::TornNumbers::current();
+  auto &torn_numbers = trace::session().torn_numbers;
   torn_numbers.begin();
   RealNumber number = x * x;
   auto const store = [&](std::size_t first, std::size_t count, std::uint64_t value) {

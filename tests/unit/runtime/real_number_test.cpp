@@ -21,12 +21,12 @@ using trace::Pool;
 class Recording : public testing::Test {
 protected:
   void SetUp() override {
-    Pool::current().begin();
-    x = Pool::current().leaf(Node::input(0), 0.5);
-    y = Pool::current().leaf(Node::input(1), 2.0);
-    p = Pool::current().leaf(Node::parameter(0), 3.0);
+    trace::session().pool.begin();
+    x = trace::session().pool.leaf(Node::input(0), 0.5);
+    y = trace::session().pool.leaf(Node::input(1), 2.0);
+    p = trace::session().pool.leaf(Node::parameter(0), 3.0);
   }
-  void TearDown() override { Pool::current().end(); }
+  void TearDown() override { trace::session().pool.end(); }
 
   RealNumber x, y, p;
 };
@@ -138,11 +138,11 @@ TEST(RealNumberLimits, AreDoubles) {
 TEST_F(Recording, ConditionsAreNodes) {
   SymbolicBool const both = (x < y) & (y < 3.0);
   ASSERT_TRUE(both.is_symbolic());
-  Node const &node = Pool::current().nodes()[Pool::current().node(both.condition())];
+  Node const &node = trace::session().pool.nodes()[trace::session().pool.node(both.condition())];
   EXPECT_EQ(node.op, Op::logical_and);
   EXPECT_EQ((SymbolicBool(true) & (x < y)).condition().to_bits(), (x < y).condition().to_bits());
   EXPECT_FALSE((SymbolicBool(true) | (x < y)).is_symbolic());
-  EXPECT_EQ(Pool::current().nodes()[Pool::current().node((!both).condition())].op, Op::logical_not);
+  EXPECT_EQ(trace::session().pool.nodes()[trace::session().pool.node((!both).condition())].op, Op::logical_not);
 }
 
 // The premise that every value is finite settles these.
@@ -157,7 +157,7 @@ TEST_F(Recording, FiniteTestsAreSettled) {
 }
 
 TEST_F(Recording, GuardPolicyRecordsThePath) {
-  trace::Guards &guards = trace::Guards::current();
+  trace::Guards &guards = trace::session().guards;
   guards.begin();
   {
     DecisionScope const scope(Decisions::guard);
@@ -170,7 +170,7 @@ TEST_F(Recording, GuardPolicyRecordsThePath) {
   Graph graph;
   guards.end(graph);
   ASSERT_EQ(graph.guards.size(), 3u);
-  auto op = [&](std::size_t guard) { return Pool::current().nodes()[graph.guards[guard].condition].op; };
+  auto op = [&](std::size_t guard) { return trace::session().pool.nodes()[graph.guards[guard].condition].op; };
   EXPECT_EQ(op(1), Op::eq);
   EXPECT_EQ(op(2), Op::logical_or); // where the path is not taken, it need not hold
   EXPECT_EQ(graph.locations.size(), 3u);
@@ -178,7 +178,7 @@ TEST_F(Recording, GuardPolicyRecordsThePath) {
 }
 
 TEST(Columns, CostNothingWhenUnused) {
-  Pool &pool = Pool::current();
+  Pool &pool = trace::session().pool;
   pool.begin({.values = true, .places = false});
   RealNumber const x = pool.leaf(Node::input(0), 2.0);
   (void)(x * x);
@@ -214,14 +214,14 @@ TEST_F(RecordingDeathTest, LeaksAreCaught) {
 
 TEST_F(RecordingDeathTest, StaleNodesAreCaught) {
   RealNumber const old = x;
-  Pool::current().end();
-  Pool::current().begin();
-  RealNumber const fresh = Pool::current().leaf(Node::input(0), 1.0);
+  trace::session().pool.end();
+  trace::session().pool.begin();
+  RealNumber const fresh = trace::session().pool.leaf(Node::input(0), 1.0);
   EXPECT_EXIT((void)(fresh + old), testing::ExitedWithCode(1), "another kernel or thread.*\\[SYM054\\]");
 }
 
 TEST_F(RecordingDeathTest, AMissingValueIsNeeded) {
-  RealNumber const unknown = Pool::current().leaf(Node::input(2), missing_value());
+  RealNumber const unknown = trace::session().pool.leaf(Node::input(2), missing_value());
   EXPECT_TRUE((unknown * y + x).is_node());
   EXPECT_EXIT((void)symreal_value(unknown * y), testing::ExitedWithCode(1), "has no value.*\\[SYM056\\]");
   EXPECT_EXIT((void)static_cast<bool>(unknown < x), testing::ExitedWithCode(1), "has no value.*\\[SYM056\\]");

@@ -23,13 +23,13 @@ namespace {
 // A recording without a graph: plain numbers only.
 class Kernel {
 public:
-  Kernel() { trace::State::current().begin(__builtin_frame_address(0)); }
+  Kernel() { trace::session().state.begin(__builtin_frame_address(0)); }
   ~Kernel() {
-    if (detail::recording) (void)trace::State::current().end();
+    if (detail::recording) (void)trace::session().state.end();
   }
   std::map<std::string, std::vector<double>> frozen() {
     std::map<std::string, std::vector<double>> values;
-    for (Frozen const &one : trace::State::current().end()) values[one.name] = one.values;
+    for (Frozen const &one : trace::session().state.end()) values[one.name] = one.values;
     return values;
   }
 };

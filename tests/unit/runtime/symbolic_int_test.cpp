@@ -70,8 +70,8 @@ template <class T> std::string name() { return (std::is_signed_v<T> ? "int" : "u
 class Schedule {
 public:
   explicit Schedule(unsigned operands) {
-    Pool::current().begin();
-    for (unsigned k = 0; k < 2 * operands; ++k) inputs_.push_back(Pool::current().leaf(Node::input(k), 1.0));
+    trace::session().pool.begin();
+    for (unsigned k = 0; k < 2 * operands; ++k) inputs_.push_back(trace::session().pool.leaf(Node::input(k), 1.0));
   }
 
   template <class T> SymbolicInt<T> operand(unsigned k) const {
@@ -125,8 +125,8 @@ private:
     graph.inputs = {object("x", inputs_.size())};
     graph.outputs = {object("y", results_.size())};
     graph.input_values.assign(inputs_.size(), 1.0);
-    for (RealNumber result : results_) graph.results.push_back(Pool::current().node(result));
-    graph.nodes = Pool::current().end();
+    for (RealNumber result : results_) graph.results.push_back(trace::session().pool.node(result));
+    graph.nodes = trace::session().pool.end();
     return graph;
   }
 
@@ -321,16 +321,16 @@ TEST(SymbolicInts, ConvertRealNumbersAsTheHost) {
                                       -INFINITY,
                                       NAN};
   All::each([&]<class R>(R) {
-    Pool::current().begin();
-    SymbolicInt<R> const converted(Pool::current().leaf(Node::input(0), 1.0));
-    NodeId const result = Pool::current().node(converted.number());
+    trace::session().pool.begin();
+    SymbolicInt<R> const converted(trace::session().pool.leaf(Node::input(0), 1.0));
+    NodeId const result = trace::session().pool.node(converted.number());
     Graph graph;
     graph.kernel = "k";
     graph.inputs = {Object{.label = "x", .extents = {}}};
     graph.outputs = {Object{.label = "y", .extents = {}}};
     graph.input_values = {1.0};
     graph.results = {result};
-    graph.nodes = Pool::current().end();
+    graph.nodes = trace::session().pool.end();
     graph = run_passes(graph, default_passes(), FloatingPoint::strict);
     Compiled const clang(graph, "clang-19");
     for (double volatile value : values) {

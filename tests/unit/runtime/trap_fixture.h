@@ -17,11 +17,11 @@ namespace symreal::trace {
 class TrapDeathTest : public testing::Test {
 protected:
   void SetUp() override {
-    Pool::current().begin();
-    x = std::bit_cast<double>(Pool::current().leaf(Node::input(0), 0.5).to_bits());
-    y = std::bit_cast<double>(Pool::current().leaf(Node::input(1), -2.0).to_bits());
+    trace::session().pool.begin();
+    x = std::bit_cast<double>(trace::session().pool.leaf(Node::input(0), 0.5).to_bits());
+    y = std::bit_cast<double>(trace::session().pool.leaf(Node::input(1), -2.0).to_bits());
   }
-  void TearDown() override { Pool::current().end(); }
+  void TearDown() override { trace::session().pool.end(); }
 
   double x, y; // nodes, as code that knows nothing of them sees them
 };

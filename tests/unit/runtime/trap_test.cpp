@@ -129,8 +129,8 @@ TEST_F(TrapDeathTest, TheProgramsOwnInvalidOperations) {
 }
 
 TEST_F(TrapDeathTest, StaleNodes) {
-  Pool::current().end();
-  Pool::current().begin();
+  trace::session().pool.end();
+  trace::session().pool.begin();
   Body const body = [this] { REQUIRE(std::isnan(BINARY("addsd", x, 1.0))); };
   EXPECT_IN_TRAP(body, "another kernel or thread");
 }

@@ -41,7 +41,7 @@ public:
     is_torn_ |= Pool::is_torn(RealNumber::from_bits(bits));
     if (!Pool::is_tagged(bits)) return false;
     RealNumber const node = Pool::underlying(bits);
-    if (!Pool::current().owns(node)) {
+    if (!session().pool.owns(node)) {
       is_stale_ = true;
       return false;
     }
@@ -64,7 +64,7 @@ public:
 
   // The bits of the carried value of a node that was met.
   static std::uint64_t value(std::uint64_t bits) {
-    double const value = Pool::current().final_value(Pool::underlying(bits));
+    double const value = session().pool.final_value(Pool::underlying(bits));
     // A missing sign bit means fabs or a negation; fabs comes before comparisons, which decide the path.
     return std::bit_cast<std::uint64_t>(bits >> 63 != 0 ? value : std::fabs(value));
   }
@@ -75,6 +75,7 @@ private:
   bool is_torn_ = false;  // a node with overwritten bytes
 };
 
+// Not parts of the session: the handlers run in threads that have none as well.
 constinit thread_local bool is_enabled = false;
 constinit thread_local bool program_unmasked = false; // it wanted SIGFPE before the kernel began
 constinit thread_local bool was_raised = false;       // before the kernel began
