@@ -1,88 +1,67 @@
 #include "program/record/events.h"
 
-#include <charconv>
 #include <fstream>
-#include <string_view>
 #include <utility>
 
 namespace symreal::program {
 namespace {
 
-std::vector<std::string> split(std::string_view text, char separator) {
-  std::vector<std::string> parts;
-  for (std::size_t end = 0; end != text.npos;) {
-    end = text.find(separator);
-    parts.emplace_back(text.substr(0, end));
-    if (end != text.npos) text.remove_prefix(end + 1);
-  }
-  return parts;
-}
+namespace events = wire::events;
 
-template <class T> T number(std::string_view text, int base = 10) {
-  if (base == 16 && text.starts_with("0x")) text.remove_prefix(2);
-  T value = 0;
-  std::from_chars(text.data(), text.data() + text.size(), value, base);
-  return value;
-}
-
-std::vector<std::uint64_t> addresses(std::string_view text) {
-  std::vector<std::uint64_t> list;
-  for (std::string const &address : split(text, ',')) list.push_back(number<std::uint64_t>(address, 16));
-  return list;
-}
-
-DiagnosticInfo const &row(std::string const &code) {
+DiagnosticId id_of(std::string const &code) {
   DiagnosticInfo const *found = find_diagnostic(code);
   internal_check(found);
-  return *found;
+  return found->id;
 }
 
-void add(Events &events, std::vector<std::string> const &field) {
-  std::string const &kind = field[0];
-  auto has = [&field](std::size_t count) { return field.size() >= count; };
-  if (kind == "started" && has(2)) events.started.push_back(field[1]);
-  if (kind == "kernel" && has(4))
-    events.kernels.push_back({field[1], field[2], field[3], events.started.empty() ? "" : events.started.back(),
-                              std::exchange(events.scratch, {}), std::exchange(events.clauses, {})});
-  if (kind == "clause" && has(3)) events.clauses[field[1]] = field[2];
-  if (kind == "scratch" && has(2)) events.scratch.push_back(field[1]);
-  if ((kind == "diagnostic" || kind == "warning") && has(6)) {
-    Place place{field[2], number<unsigned>(field[3]), number<unsigned>(field[4])};
-    Severity const severity = kind == "warning" ? Severity::warning : Severity::error;
-    events.diagnostics.push_back({row(field[1]).id, place, field[5], {}, severity});
+// Adds an event of each type.
+struct Collector {
+  Events &all;
+
+  void operator()(events::Started const &one) { all.started.push_back(one.kernel); }
+  void operator()(events::Kernel const &one) {
+    all.kernels.push_back({one.name, one.graph_file, one.output_file, all.started.empty() ? "" : all.started.back(),
+                           std::exchange(all.scratch, {}), std::exchange(all.clauses, {})});
   }
-  std::vector<Decision> *const decisions = kind == "decision"  ? &events.decisions
-                                           : kind == "carried" ? &events.carried
-                                           : kind == "settled" ? &events.settled
-                                                               : nullptr;
-  if (decisions && has(4)) decisions->push_back({number<std::size_t>(field[1]), field[2], addresses(field[3])});
-  if (kind == "decided" && has(5))
-    events.decided.push_back({number<std::uint32_t>(field[1]), field[2] == "t" || field[2] == "T" || field[2] == "Y",
-                              std::string("TFYN").find(field[2]) != std::string::npos, field[2] == "j",
-                              field[2] == "Y" || field[2] == "N", field[3], addresses(field[4])});
-  if (kind == "joined" && has(5))
-    events.joined.push_back({number<std::size_t>(field[1]), number<std::size_t>(field[2]),
-                             number<std::size_t>(field[3]), number<std::size_t>(field[4])});
-  if (kind == "in_vain" && has(2)) events.in_vain += number<std::size_t>(field[1]);
-  if (kind == "join" && has(2)) events.joined_at.push_back(addresses(field[1]));
-  if (kind == "undecided" && has(2)) events.undecided.push_back(number<std::size_t>(field[1]));
-  if (kind == "followed" && has(2)) events.followed = number<std::size_t>(field[1]);
-  if (kind == "beyond" && has(2)) events.beyond = number<std::size_t>(field[1]);
-  events.is_cut_off = events.is_cut_off || kind == "cut";
-  if (kind == "frozen" && has(6)) events.frozen.push_back({field[1], field[2], field[3], addresses(field[5])});
-  if (kind == "met" && has(5))
-    events.located.push_back({row(field[1]).id, field[2], addresses(field[3]), number<std::size_t>(field[4])});
-  if (kind == "located" && has(4)) events.located.push_back({row(field[1]).id, field[2], addresses(field[3]), 0});
-}
+  void operator()(events::Error const &one) { add(one, Severity::error); }
+  void operator()(events::Warning const &one) { add(one, Severity::warning); }
+  void operator()(events::Located const &one) { all.located.push_back({id_of(one.code), one.message, one.stack, 0}); }
+  void operator()(events::Met const &one) {
+    all.located.push_back({id_of(one.code), one.message, one.stack, one.count});
+  }
+  void operator()(events::Frozen const &one) { all.frozen.push_back(one); }
+  void operator()(events::Scratch const &one) { all.scratch.push_back(one.name); }
+  void operator()(events::Clause const &one) { all.clauses[one.clause] = one.names; }
+  void operator()(events::Decision const &one) { all.decisions.push_back({one.count, one.condition, one.stack}); }
+  void operator()(events::Carried const &one) { all.carried.push_back({one.count, one.condition, one.stack}); }
+  void operator()(events::Settled const &one) { all.settled.push_back({one.count, one.condition, one.stack}); }
+  void operator()(events::Decided const &one) {
+    auto const is_one_of = [&one](std::string_view outcomes) { return outcomes.find(one.outcome) != outcomes.npos; };
+    all.decided.push_back({static_cast<std::uint32_t>(one.node), is_one_of("tTY"), is_one_of("TFYN"), is_one_of("j"),
+                           is_one_of("YN"), one.condition, one.stack});
+  }
+  void operator()(events::Joined const &one) { all.joined.push_back(one); }
+  void operator()(events::JoinedAt const &one) { all.joined_at.push_back(one.stack); }
+  void operator()(events::InVain const &one) { all.in_vain += one.pieces; }
+  void operator()(events::Followed const &one) { all.followed = one.count; }
+  void operator()(events::Beyond const &one) { all.beyond = one.count; }
+  void operator()(events::Undecided const &one) { all.undecided.push_back(one.kernel); }
+  void operator()(events::Cut const &) { all.is_cut_off = true; }
+
+private:
+  template <class Event> void add(Event const &one, Severity severity) {
+    Place const place{one.file, static_cast<unsigned>(one.line), static_cast<unsigned>(one.column)};
+    all.diagnostics.push_back({id_of(one.code), place, one.message, {}, severity});
+  }
+};
 
 } // namespace
 
 Events read_events(std::string const &path) {
-  Events events;
+  Events all;
   std::ifstream in(path);
-  for (std::string line; std::getline(in, line);)
-    if (!line.empty()) add(events, split(line, '\t'));
-  return events;
+  for (std::string line; std::getline(in, line);) wire::read_event(line, Collector{all});
+  return all;
 }
 
 std::vector<std::uint64_t> read_crash(std::string const &path) {
@@ -90,7 +69,7 @@ std::vector<std::uint64_t> read_crash(std::string const &path) {
   std::string signal, list;
   in >> signal >> list;
   if (list.ends_with(',')) list.pop_back();
-  return list.empty() ? std::vector<std::uint64_t>() : addresses(list);
+  return list.empty() ? std::vector<std::uint64_t>() : wire::read_stack(list);
 }
 
 } // namespace symreal::program

@@ -1,37 +1,13 @@
-// Events of a recording, which the symbolic program writes to the file `events`: one event a line, fields between tabs.
-//
-//   started     kernel
-//   kernel      name  N.graph  output file
-//   diagnostic  SYM0nn  file  line  column  message
-//   warning     SYM0nn  file  line  column  message
-//   located     SYM0nn  message  address,address,...
-//   met         SYM0nn  message  address,address,...  count
-//   frozen      kernel  name  place  values  address,address,...
-//   scratch     name
-//   clause      input, output, scratch or constant  name, name, ...
-//   decision    count  condition  address,address,...   hexadecimal, relative to the load base, innermost first
-//   carried     count  condition  address,address,...
-//   settled     count  condition  address,address,...
-//   decided     node  t, f or j  condition  address,address,...   decisions of the explored kernel, in order;
-//                                                              T or F: assumed, without a path for the other outcome,
-//                                                              which is an exact zero; Y or N: out of an input's range
-//   joined      pieces  selects   for the last decision, a j: both its branches are recorded and have joined
-//   in_vain     pieces  of a failed attempt at a join
-//   join        address,address,...   decision whose branches join
-//   followed    count   of decisions that earlier ones imply
-//   beyond      count   of decisions beyond the depth, which are guards
-//   undecided   K       number of a kernel with decisions to explore, in a run of its own
-//   cut                 the kernel was left before its end
-//
-// Readers ignore other kinds of event.
+// Events of a recording (runtime/wire/event.def), read from the file `events`.
 #pragma once
+
+#include "engine/diagnostics/diagnostic.h"
+#include "runtime/wire/event.h"
 
 #include <cstdint>
 #include <map>
 #include <string>
 #include <vector>
-
-#include "engine/diagnostics/diagnostic.h"
 
 namespace symreal::program {
 
@@ -67,17 +43,8 @@ struct DecidedEvent {
   std::vector<std::uint64_t> addresses;
 };
 
-// A decision whose two branches have joined.
-struct JoinedEvent {
-  std::size_t pieces, selects;
-  std::size_t zeros, by_range; // conditions in the branches that were taken as not met
-};
-
 // State that a kernel reads, with the place of its first read.
-struct FrozenRead {
-  std::string kernel, name, place;
-  std::vector<std::uint64_t> addresses;
-};
+using FrozenRead = wire::events::Frozen;
 
 struct Events {
   std::vector<std::string> started; // names of kernels that were begun
@@ -87,7 +54,7 @@ struct Events {
   std::vector<DecidedEvent> decided;
   std::vector<std::vector<std::uint64_t>> joined_at;
   std::vector<std::size_t> undecided; // numbers of kernels
-  std::vector<JoinedEvent> joined;
+  std::vector<wire::events::Joined> joined;
   std::size_t followed = 0, beyond = 0, in_vain = 0;
   bool is_cut_off = false;
   std::vector<Located> located;

@@ -57,7 +57,7 @@ void add_joined(Exploration &exploration, Events const &events, std::optional<Ou
   if (!beginning) {
     exploration.joins = events.joined.size();
     exploration.joined_at = events.joined_at;
-    for (JoinedEvent const &one : events.joined) exploration.pieces += one.pieces, exploration.joined += one.selects;
+    for (auto const &one : events.joined) exploration.pieces += one.pieces, exploration.joined += one.selects;
   }
   auto const common = static_cast<std::size_t>(beginning ? std::ranges::count(*beginning, 'j') : 0);
   for (std::size_t k = common; k < events.joined.size(); ++k) {

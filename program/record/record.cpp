@@ -141,7 +141,7 @@ bool is_begun(rewrite::Kernel const &kernel, std::vector<std::string> const &sta
 std::vector<Note> read_notes(Frozen const &state, FrozenRead const &read, Symbolizer &symbolizer) {
   constexpr std::size_t most = 4;
   std::vector<Note> notes;
-  std::vector<Frame> frames = symbolizer.frames(read.addresses);
+  std::vector<Frame> frames = symbolizer.frames(read.stack);
   auto frame = std::find_if(frames.begin(), frames.end(), [](Frame const &one) { return one.rewritten; });
   for (bool innermost = true; frame != frames.end() && notes.size() < most; ++frame, innermost = false) {
     bool const same = innermost && frame->place.file == state.place.file && frame->place.line == state.place.line;
@@ -167,7 +167,7 @@ void locate_frozen(Recorded &recorded, std::vector<FrozenRead> const &reads, Sym
     if (read != reads.end()) met.insert(&*read);
     // State from outside the program gets the place of the program's call.
     if (read != reads.end() && state.place.file.empty())
-      state.place = own_place(read->addresses, symbolizer).value_or(Place());
+      state.place = own_place(read->stack, symbolizer).value_or(Place());
     recorded.frozen_reads.push_back(read == reads.end() ? std::vector<Note>() : read_notes(state, *read, symbolizer));
   }
 }

@@ -26,11 +26,11 @@ void hand_to_driver(Graph const &graph, std::string const &output_file) {
   unsigned number = delivered++;
   std::string const name = std::to_string(number) + ".graph";
   write_binary_graph(record_directory() + "/" + name, graph);
-  event({"kernel", graph.kernel, name, output_file});
+  event(events::Kernel{graph.kernel, name, output_file});
   for (Frozen const &frozen : graph.frozen) {
     std::string values;
     for (double value : frozen.values) values += (values.empty() ? "" : " ") + shortest(value);
-    event({"frozen", graph.kernel, frozen.name, to_string(frozen.place), values, hexadecimal(frozen.stack)});
+    event(events::Frozen{graph.kernel, frozen.name, to_string(frozen.place), values, frozen.stack});
   }
   flush_events();
   char const *wanted = wire::requested(wire::Entry::kernels);

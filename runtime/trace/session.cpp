@@ -15,7 +15,7 @@ Session::Session()
 
 void Session::begin_kernel(std::string const &name, void const *frame) {
   checkpoint_.begin(); // first: the copy that waits goes through all that follows when it goes on
-  event({"started", name});
+  event(events::Started{name});
   flush_events(); // the kernel may crash
   pool_.begin();
   state_.begin(frame); // memory that is allocated from here on is the kernel's
@@ -77,14 +77,14 @@ void Session::release_nodes(Graph &graph) {
 
 void Session::cut_off_kernel(Graph &graph) {
   (void)disable_trap();
-  event({"cut"});
+  event(events::Cut());
   release_nodes(graph);
 }
 
 bool Session::leaves_more(Place const &place, bool has_notes) {
   return Join::would([&] {
     (void)judge_memory(place, has_notes);
-    return anything_wrong() || has_told("scratch");
+    return anything_wrong() || has_told(events::Scratch::name_of_event);
   });
 }
 

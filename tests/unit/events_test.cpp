@@ -1,5 +1,6 @@
 #include "program/build/workspace.h"
 #include "program/record/events.h"
+#include "runtime/wire/event.h"
 
 #include <gtest/gtest.h>
 
@@ -27,6 +28,20 @@ TEST(Events, AreReadLineByLine) {
   EXPECT_EQ(events.decisions[0].addresses, (std::vector<std::uint64_t>{0x10, 0xff}));
   ASSERT_EQ(events.located.size(), 1u);
   EXPECT_EQ(events.located[0].addresses, std::vector<std::uint64_t>{0x1a});
+}
+
+TEST(Events, AreReadAsTheyWereWritten) {
+  std::string const line = wire::line_of(wire::events::Met{"SYM001", "a\tb\nc", {0x10, 0xff}, 7});
+  EXPECT_EQ(line, "met\tSYM001\ta b c\t10,ff\t7");
+  program::Workspace const workspace(false);
+  std::string const path = workspace.file("events");
+  std::ofstream(path) << line << "\n" << wire::line_of(wire::events::Cut()) << "\nmet\tSYM001\ttoo short\n";
+  program::Events const events = program::read_events(path);
+  EXPECT_TRUE(events.is_cut_off);
+  ASSERT_EQ(events.located.size(), 1u);
+  EXPECT_EQ(events.located[0].message, "a b c");
+  EXPECT_EQ(events.located[0].addresses, (std::vector<std::uint64_t>{0x10, 0xff}));
+  EXPECT_EQ(events.located[0].count, 7u);
 }
 
 TEST(Events, AMissingFileHoldsNone) { EXPECT_TRUE(program::read_events("/no/such/file").kernels.empty()); }

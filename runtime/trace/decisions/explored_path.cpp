@@ -87,7 +87,7 @@ bool ExploredPath::decide(Stand &stand) {
       return *outcome;
     }
     if (!is_explored_) { // this kernel's turn is in another run
-      if (count_++ == 0) event({"undecided", std::to_string(kernels_ - 1)});
+      if (count_++ == 0) event(events::Undecided{kernels_ - 1});
       return carried;
     }
     bool const is_arm = join_.is_arm();
@@ -172,7 +172,7 @@ void ExploredPath::begin_attempt(RealNumber condition) {
 
 void ExploredPath::note_in_vain(std::size_t pieces) {
   pieces_left_ -= std::min(pieces_left_, pieces);
-  event({"in_vain", std::to_string(pieces)});
+  event(events::InVain{pieces});
 }
 
 // The decision at which the arms have parted is joined, so it does not count as one between paths.
@@ -180,11 +180,10 @@ void ExploredPath::end_attempt() {
   count_ = count_before_ + 1;
   known_ = known_before_;
   JoinCosts const costs = join_.costs();
-  event({"decided", std::to_string(pool_.node(attempted_)), "j", describe(attempted_), hexadecimal(attempted_at_)});
-  event({"join", hexadecimal(attempted_at_)});
-  auto const guards = [this](Guards::Reason reason) { return std::to_string(guards_.count(guards_before_, reason)); };
-  event({"joined", std::to_string(costs.pieces), std::to_string(costs.selects), guards(Guards::Reason::zero),
-         guards(Guards::Reason::range)});
+  event(events::Decided{pool_.node(attempted_), "j", describe(attempted_), attempted_at_});
+  event(events::JoinedAt{attempted_at_});
+  auto const guards = [this](Guards::Reason reason) { return guards_.count(guards_before_, reason); };
+  event(events::Joined{costs.pieces, costs.selects, guards(Guards::Reason::zero), guards(Guards::Reason::range)});
   note_taken('j');
 }
 
@@ -204,12 +203,12 @@ void ExploredPath::take(NodeId condition, bool outcome, RealNumber number) {
 
 void ExploredPath::tell(NodeId condition, bool outcome, RealNumber number, char const *letter) {
   known_.add(pool_.nodes(), condition, outcome);
-  event({"decided", std::to_string(condition), letter, describe(number), hexadecimal(call_stack())});
+  event(events::Decided{condition, letter, describe(number), call_stack()});
 }
 
 void ExploredPath::end() {
-  if (is_explored_ && followed_ != 0) event({"followed", std::to_string(followed_)});
-  if (beyond_ != 0) event({"beyond", std::to_string(beyond_)});
+  if (is_explored_ && followed_ != 0) event(events::Followed{followed_});
+  if (beyond_ != 0) event(events::Beyond{beyond_});
 }
 
 } // namespace symreal::trace

@@ -189,7 +189,7 @@ std::optional<bool> Join::serve(Stand *stand, std::vector<RealNumber> *results, 
       arms_.close_all();
       keep_events(false);
       for (auto left = reader.get<std::size_t>(); left != 0; --left)
-        event({"join", hexadecimal(reader.get_all<std::vector<std::uintptr_t>>())});
+        event(events::JoinedAt{reader.get_all<wire::Stack>()});
       return std::nullopt;
     } else {
       RealNumber const condition = RealNumber::from_bits(stand->condition);

@@ -58,26 +58,7 @@ Log &log() {
   return *instance;
 }
 
-std::string joined(std::initializer_list<std::string> fields) {
-  std::string line;
-  for (std::string const &field : fields) {
-    if (&field != fields.begin()) line += '\t';
-    for (char c : field) line += c == '\t' || c == '\n' || c == '\r' ? ' ' : c;
-  }
-  return line;
-}
-
 } // namespace
-
-std::string hexadecimal(std::vector<std::uintptr_t> const &addresses) {
-  std::string text;
-  char buffer[20];
-  for (std::uintptr_t address : addresses) {
-    std::snprintf(buffer, sizeof buffer, "%jx", static_cast<std::uintmax_t>(address));
-    text += (text.empty() ? "" : ",") + std::string(buffer);
-  }
-  return text;
-}
 
 Place written_place(std::string_view place) {
   std::string text(place);
@@ -99,24 +80,24 @@ std::string const &record_directory() {
   return *directory;
 }
 
-void event(std::initializer_list<std::string> fields) {
-  memory::OwnWork const own;
-  log().lines.push_back(joined(fields));
-}
+void add_line(std::string line) { log().lines.push_back(std::move(line)); }
 
 void report(Diagnostic const &diagnostic) {
   if (is_dropped(code(diagnostic.id))) return;
   bool const is_error = diagnostic.severity == Severity::error;
   log().wrong = log().wrong || is_error;
-  event({is_error ? "diagnostic" : "warning", code(diagnostic.id), diagnostic.place.file,
-         std::to_string(diagnostic.place.line), std::to_string(diagnostic.place.column), diagnostic.message});
+  auto const &[file, line, column] = diagnostic.place;
+  if (is_error)
+    event(events::Error{code(diagnostic.id), file, line, column, diagnostic.message});
+  else
+    event(events::Warning{code(diagnostic.id), file, line, column, diagnostic.message});
   if (record_directory().empty()) print(std::cerr, diagnostic);
 }
 
 void report_here(DiagnosticId id, std::string const &message) {
   memory::OwnWork const own;
   log().wrong = true;
-  event({"located", code(id), message, hexadecimal(call_stack())});
+  event(events::Located{code(id), message, call_stack()});
   if (record_directory().empty()) print(std::cerr, {id, {}, message});
 }
 
@@ -157,8 +138,9 @@ std::size_t told() {
   return count;
 }
 
-bool has_told(std::string const &kind) {
-  return std::ranges::any_of(log().lines, [&](std::string const &line) { return line.starts_with(kind + '\t'); });
+bool has_told(std::string_view event) {
+  return std::ranges::any_of(log().lines,
+                             [&](std::string const &line) { return wire::LineReader(line).word() == event; });
 }
 
 void flush_events() {
@@ -166,17 +148,20 @@ void flush_events() {
   if (record_directory().empty() || log().are_kept) return;
   std::string text;
   for (std::string const &line : log().lines) text += line + '\n';
-  auto append = [&text](char const *kind, Meetings const &meetings) {
+  auto const append = [&text]<class Event>(Event one, Meetings const &meetings) {
     meetings.for_each([&](std::size_t count, std::string const &condition, auto const &stack) {
-      text += joined({kind, std::to_string(count), condition, hexadecimal(stack)}) + '\n';
+      one.count = count;
+      one.condition = condition;
+      one.stack = stack;
+      text += wire::line_of(one) + '\n';
     });
   };
-  append("decision", log().decisions);
-  append("carried", log().carried);
-  append("settled", log().settled);
+  append(events::Decision(), log().decisions);
+  append(events::Carried(), log().carried);
+  append(events::Settled(), log().settled);
   for (auto const &interrupted : log().interrupted)
     interrupted.second.for_each([&](std::size_t count, std::string const &message, auto const &stack) {
-      text += joined({"met", code(interrupted.first), message, hexadecimal(stack), std::to_string(count)}) + '\n';
+      text += wire::line_of(events::Met{code(interrupted.first), message, stack, count}) + '\n';
     });
   try {
     write_if_changed(record_directory() + "/events", text);

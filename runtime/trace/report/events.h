@@ -1,36 +1,27 @@
-// Events that the recording reports to the driver: lines of tab-separated fields in the file `events` of
-// the directory `record` (runtime/wire/request.h), rewritten at each kernel's begin and end and at exit. A program
-// started by hand has no such directory and prints its diagnostics.
-//
-//   started     kernel
-//   kernel      name  N.graph  output file
-//   diagnostic  SYM0nn  file  line  column  message
-//   warning     the same, but nothing is wrong
-//   located     SYM0nn  message  address,address,...    the place is where the program stood: innermost first,
-//   decision    count  condition  address,address,...   hexadecimal, relative to where the executable is loaded
-//   carried     count  condition  address,address,...   a decision that a pragma answers for
-//   settled     count  condition  address,address,...   a condition that a premise of the floating-point mode settles
-//   decided, followed, beyond, undecided, cut          of an explored path (<trace/decisions/explored_path.h>)
-//   frozen      kernel  name  place  values  address,address,...
-//   scratch     name    a static integer of a function that the kernel, which ends here, writes before it reads it
+// Events that the recording reports to the driver (runtime/wire/event.def): the file `events` is rewritten at each
+// kernel's begin and end and at exit. A program started by hand has no such file and prints its diagnostics.
 #pragma once
 
 #include "engine/diagnostics/diagnostic.h"
+#include "runtime/memory/heap_blocks.h"
+#include "runtime/wire/event.h"
 
 #include <cstdint>
-#include <initializer_list>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace symreal::trace {
 
-std::string hexadecimal(std::vector<std::uintptr_t> const &addresses); // separated by commas
+namespace events = wire::events;
 
 // The place that the rewriter has written into the program: "file:line:column".
 Place written_place(std::string_view place);
 
-void event(std::initializer_list<std::string> fields);
+void add_line(std::string line);
+template <class Event> void event(Event const &one) {
+  memory::OwnWork const own;
+  add_line(wire::line_of(one));
+}
 void report(Diagnostic const &diagnostic);
 void report_here(DiagnosticId id, std::string const &message);
 // Reports from a signal handler: at the interrupted instruction, or at `delayed` if the signal was delivered late.
@@ -47,7 +38,7 @@ bool anything_wrong();
 void keep_events(bool are_kept);
 // Number of events so far, except settled conditions.
 std::size_t told();
-bool has_told(std::string const &kind);
+bool has_told(std::string_view event);
 
 void flush_events();
 // After an error that leaves nothing sensible to go on with: writes the events and ends the process.

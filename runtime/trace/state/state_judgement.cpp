@@ -162,7 +162,7 @@ void State::judge_scalars(bool has_guards) {
                                  (!one.is_read && one.site.scope == detail::Scope::function && !has_guards);
     if (one.is_lost() && is_vouched) continue;
     if (one.is_lost() && private_scratch)
-      event({"scratch", std::string(one.site.name)});
+      event(events::Scratch{std::string(one.site.name)});
     else if (one.is_lost() && !is_private(one.site))
       report_lost(one.site);
     else if (one.is_read && !is_constant) {
@@ -374,7 +374,7 @@ void State::tell_clauses(std::vector<Frozen> const &frozen, Place const &kernel)
   for (auto const &[clause, names] :
        {std::pair("input", &input), std::pair("constant", &constant), std::pair("output", &output),
         std::pair("scratch", &scratch), std::pair("elsewhere", &elsewhere)})
-    if (!names->empty()) event({"clause", clause, list(*names)});
+    if (!names->empty()) event(events::Clause{clause, list(*names)});
 }
 
 void State::end_untold() {
