@@ -23,6 +23,21 @@ function(symreal_room folder)
   set_property(GLOBAL APPEND_STRING PROPERTY SYMREAL_ROOMS "${folder} ${words}\n")
 endfunction()
 
+# The files of a room's folder stand in its library itself, where a function that the header declares returns them.
+function(symreal_embed target folder function header)
+  list(JOIN ARGN "," files)
+  list(TRANSFORM ARGN PREPEND ${PROJECT_SOURCE_DIR}/${folder}/)
+  string(MAKE_C_IDENTIFIER ${folder} name)
+  set(source ${CMAKE_CURRENT_BINARY_DIR}/${name}_files.cpp)
+  add_custom_command(
+    OUTPUT ${source}
+    COMMAND ${CMAKE_COMMAND} -DOUTPUT=${source} -DHEADER=${folder}/${header} -DFUNCTION=${function}
+            -DFOLDER=${PROJECT_SOURCE_DIR}/${folder} "-DFILES=${files}" -P ${PROJECT_SOURCE_DIR}/cmake/embed.cmake
+    VERBATIM
+    DEPENDS ${ARGN} ${PROJECT_SOURCE_DIR}/cmake/embed.cmake)
+  target_sources(${target} PRIVATE ${source})
+endfunction()
+
 # A room that symbolic programs are linked with. Each gets the same flags, so that they share a precompiled header.
 function(symreal_linked_into_programs room)
   set_property(GLOBAL APPEND PROPERTY SYMREAL_LINKED_INTO_PROGRAMS ${room})

@@ -40,8 +40,8 @@ bool is_generated_cpp(std::string const &path) { return std::filesystem::path(pa
 
 Banner read_banner(std::string const &path) {
   std::string text = read_file(path);
-  for (Language const &language : languages())
-    if (path.ends_with(language.files.extension) && language.name != "c" && language.name != "cpp")
+  for (LanguageRow const &language : languages())
+    if (language.name != "c" && language.name != "cpp" && path.ends_with(find_language(language.name)->files.extension))
       refuse(path, fmt::format("this is {}, and C and C++ are compared with the original; C from the same recording "
                                "computes the same",
                                language.doc.substr(0, language.doc.find(';'))));

@@ -57,8 +57,8 @@ std::string print_table(Emission const &emission, std::size_t number) {
 std::string print_tables(Emission const &emission) {
   std::string text;
   for (std::size_t number : emission.uses.tables) text += print_table(emission, number);
-  if (!text.empty()) text.append("\n").append(with_words(emission.language, emission.language.tables.index_helper));
-  return text;
+  std::string const helper = with_words(emission.language, emission.language.tables.index_helper);
+  return text.empty() ? text : text + "\n" + helper + (helper.empty() ? "" : "\n");
 }
 
 bool has_word(std::string_view text, std::string_view word) {
@@ -151,7 +151,7 @@ EmittedFile print_source(Emission &emission) {
   text.lines(part(files.open));
   text.lines(indented(emission.language, print_tables(emission)));
   text.lines(part(files.integer_functions));
-  if (emission.uses.hidden) text.lines(with_words(emission.language, files.hide_helper));
+  if (emission.uses.hidden) text.lines(with_words(emission.language, files.hide_helper) + "\n");
   text.lines(part(emission.language.angles.helper));
   text.lines(indented(emission.language, print_helpers(emission, true)));
   text.lines(emission.language.module.contains);

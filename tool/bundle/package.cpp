@@ -2,7 +2,6 @@
 
 #include "engine/emit/emit.h"
 #include "engine/emit/languages/languages.h"
-#include "engine/emit/languages/python_module.h"
 #include "engine/emit/print/banner.h"
 #include "engine/emit/print/code_text.h"
 #include "engine/emit/print/emission.h"
@@ -22,19 +21,15 @@ namespace fs = std::filesystem;
 
 // Python without a prefix before names, since the module separates them.
 Language package_language() {
-  Language python = language_python();
+  Language python = *find_language("python");
   python.has_namespace = true;
   python.files.kept_when = ",\nwhen the C source is compiled as in setup.py";
   return python;
 }
 
 std::string functions_text(bool has_guards) {
-  std::string text(python_arrays);
-  text += package_native;
-  text += python_preprocess;
+  std::string text(package_native);
   text += package_preprocess;
-  text += "\ndef $compute(input, constants=None, threads=1):\n";
-  text += python_places;
   text += package_compute;
   if (has_guards) text += package_raise;
   return text + "    return output\n\n\n";
@@ -72,6 +67,7 @@ std::string stub_text(Schedule const &plan, EmitOptions const &options) {
                       .end = "\n",
                       .object = "    $name: ArrayLike  # ($extents_comma)",
                       .separator = "\n"};
+  module.packing = {};
   module.functions = stub_functions;
   module.guards_begin = stub_guards;
   module.guard = module.guards_end = {};

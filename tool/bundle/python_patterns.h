@@ -40,8 +40,11 @@ def _batch(input, constants, output):
 
 )";
 
-inline constexpr std::string_view package_preprocess =
-    R"(    parameters = _rows(parameters, $parameters, "parameters")
+inline constexpr std::string_view package_preprocess = R"(
+def $preprocess(parameters=()):
+    """The constants of compute, for parameters whose last axis has $parameters numbers. Once, and again whenever a
+    parameter changes."""
+    parameters = _rows(parameters, $parameters, "parameters")
     constants = numpy.empty(parameters.shape[:-1] + ($constants,))
     count = math.prod(parameters.shape[:-1])
     _native.symreal_preprocess(count, parameters.ctypes.data, constants.ctypes.data)
@@ -49,7 +52,10 @@ inline constexpr std::string_view package_preprocess =
 
 )";
 
-inline constexpr std::string_view package_compute = R"( Several threads
+inline constexpr std::string_view package_compute = R"(
+def $compute(input, constants=None, threads=1):
+    """The outputs, $outputs numbers in the last axis, for inputs whose last axis has $inputs; the axes before it are a
+    batch, and are broadcast against those of the constants. Several threads
     share the first axis of the batch."""
     constants = $preprocess() if constants is None else constants
     input, constants = _rows(input, $inputs, "input"), _rows(constants, $constants, "constants")

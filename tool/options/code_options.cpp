@@ -61,7 +61,7 @@ void LanguageOption::add_to(CLI::App &app, std::string const &usual, std::string
   text = usual;
   others_ = std::move(others);
   std::string names;
-  for (Language const &language : symreal::languages())
+  for (LanguageRow const &language : symreal::languages())
     names += fmt::format("{}{} ({})", names.empty() ? "" : ", ", language.name, language.doc);
   app.add_option("--lang", text,
                  "Output languages, separated by commas: " + names + (others_.empty() ? "" : "; or " + others_))
@@ -73,7 +73,7 @@ bool LanguageOption::is_other() const { return ("|" + others_ + "|").find("|" + 
 std::vector<Language const *> LanguageOption::languages() const {
   std::vector<Language const *> found;
   std::string words = others_;
-  for (Language const &language : symreal::languages()) words.append(words.empty() ? "" : "|").append(language.name);
+  for (LanguageRow const &language : symreal::languages()) words.append(words.empty() ? "" : "|").append(language.name);
   if (is_other()) return found;
   for (std::string_view rest = text;;) {
     std::size_t const end = std::min(rest.find(','), rest.size());
@@ -87,7 +87,7 @@ std::vector<Language const *> LanguageOption::languages() const {
 
 std::vector<Language const *> all_languages() {
   std::vector<Language const *> all;
-  for (Language const &language : symreal::languages()) all.push_back(&language);
+  for (LanguageRow const &language : symreal::languages()) all.push_back(find_language(language.name));
   return all;
 }
 

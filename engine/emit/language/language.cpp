@@ -4,7 +4,6 @@
 #include "engine/support/number.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 
 namespace symreal {
@@ -44,13 +43,12 @@ std::string fill(Language const &language, std::string_view pattern,
 
 std::string with_words(Language const &language, std::string_view pattern) {
   std::string text;
-  auto const is_letter = [](unsigned char c) { return std::isalpha(c) || c == '_'; };
   while (true) {
     std::size_t const dollar = std::min(pattern.find('$'), pattern.size());
     text += pattern.substr(0, dollar);
     if (dollar == pattern.size()) return text;
     pattern.remove_prefix(dollar + 1);
-    auto const length = static_cast<std::size_t>(std::ranges::find_if_not(pattern, is_letter) - pattern.begin());
+    std::size_t const length = length_of_name(pattern);
     std::optional<std::string_view> const word = find_word(language, pattern.substr(0, length));
     text += word.value_or("$");
     if (word) pattern.remove_prefix(length);

@@ -7,6 +7,22 @@
 
 namespace symreal {
 
+std::string_view unknown_place(std::string_view pattern, std::set<std::string, std::less<>> const &known) {
+  while (true) {
+    pattern.remove_prefix(std::min(pattern.find('$'), pattern.size()));
+    if (pattern.empty()) return {};
+    if (pattern.starts_with("$$")) {
+      pattern.remove_prefix(2);
+      continue;
+    }
+    std::size_t const begin = pattern.starts_with("${") ? 2 : 1;
+    std::string_view const name = pattern.substr(begin, length_of_name(pattern.substr(begin)));
+    std::size_t const end = begin + name.size();
+    if (!known.contains(name) || (begin == 2 && !pattern.substr(end).starts_with('}'))) return pattern.substr(0, end);
+    pattern.remove_prefix(end);
+  }
+}
+
 // A word, or several joined by underscores, as AName.
 static std::string capital(std::string const &text) {
   std::string result;
@@ -23,12 +39,16 @@ static std::string capital(std::string const &text) {
   return result;
 }
 
+std::array<std::string, 3> in_three_cases(std::string const &name) {
+  std::string upper = name;
+  for (char &c : upper) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  return {name, capital(name), upper};
+}
+
 Filling &Filling::set_name(std::string const &name, std::string const &value) {
-  auto const upper = [](std::string text) {
-    for (char &c : text) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-    return text;
-  };
-  return set(name, value).set(capital(name), capital(value)).set(upper(name), upper(value));
+  auto const names = in_three_cases(name), values = in_three_cases(value);
+  for (std::size_t k = 0; k < names.size(); ++k) set(names[k], values[k]);
+  return *this;
 }
 
 std::string Filling::operator()(std::string_view pattern) const {

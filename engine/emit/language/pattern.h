@@ -5,9 +5,11 @@
 #include "engine/diagnostics/diagnostic.h"
 
 #include <algorithm>
+#include <array>
 #include <initializer_list>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -17,9 +19,17 @@ namespace symreal {
 
 struct Language; // language.h
 
+// Length of the name at the beginning of the text.
+inline std::size_t length_of_name(std::string_view text) {
+  auto const is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; };
+  return static_cast<std::size_t>(std::ranges::find_if_not(text, is_letter) - text.begin());
+}
+
+// a_name, AName and A_NAME.
+std::array<std::string, 3> in_three_cases(std::string const &name);
+
 // The pattern with each $name replaced by the text that `find` returns for it, or nullopt.
 template <class Find> std::string fill_places(std::string_view pattern, Find const &find) {
-  auto const is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; };
   std::string text;
   while (true) {
     std::size_t const dollar = std::min(pattern.find('$'), pattern.size());
@@ -33,13 +43,16 @@ template <class Find> std::string fill_places(std::string_view pattern, Find con
     }
     bool const braced = pattern.starts_with('{');
     if (braced) pattern.remove_prefix(1);
-    auto const length = static_cast<std::size_t>(std::ranges::find_if_not(pattern, is_letter) - pattern.begin());
+    std::size_t const length = length_of_name(pattern);
     std::optional<std::string_view> const value = find(pattern.substr(0, length));
     internal_check(value && (!braced || pattern.substr(length).starts_with('}')));
     text += *value;
     pattern.remove_prefix(length + (braced ? 1 : 0));
   }
 }
+
+// The first place of the pattern, with its dollar, that is not a known name; empty if there is none.
+std::string_view unknown_place(std::string_view pattern, std::set<std::string, std::less<>> const &known);
 
 // A reusable set of values.
 class Filling {

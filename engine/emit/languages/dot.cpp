@@ -1,4 +1,4 @@
-#include "engine/emit/languages/languages.h"
+#include "engine/emit/languages/drawn.h"
 #include "engine/emit/print/banner.h"
 #include "engine/emit/print/emission.h"
 #include "engine/graph/names.h"
@@ -91,21 +91,6 @@ private:
 
 } // namespace
 
-// DOT draws the graph itself; placeholder patterns mark the features that it does not print as supported.
-Language language_dot() {
-  Language dot;
-  dot.comment = {"// ", "// ", ""};
-  dot.numbers = {"nan", "nan", "inf", "-inf"};
-  dot.strings = {.quote = "\"", .escaped = "\"\\"};
-  dot.statements.check = "$condition $number";
-  dot.tables.begin = "$name";
-  dot.externals.call = [](ExternalCall const &) { return std::vector<std::string>(); };
-  dot.files = {
-      .extension = ".dot",
-      .whole = [](Emission const &emission) { return banner(emission) + GraphPrinter(emission).print(); },
-      .integer_functions = [](Emission const &) { return std::string(); },
-  };
-  return dot;
-}
+std::string dot_file(Emission const &emission) { return banner(emission) + GraphPrinter(emission).print(); }
 
 } // namespace symreal

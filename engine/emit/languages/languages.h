@@ -2,20 +2,23 @@
 #pragma once
 
 #include "engine/emit/language/language.h"
+#include "engine/support/asset.h"
 
 #include <span>
 #include <string_view>
 
 namespace symreal {
 
-// One function per row of languages.def, which returns the language's table.
-#define LANGUAGE(name, doc) Language language_##name();
-#include "engine/emit/languages/languages.def"
-#undef LANGUAGE
-
+// A row of languages.def.
+struct LanguageRow {
+  std::string_view name, doc;
+};
 // All languages, in the order of their rows.
-std::span<Language const> languages();
-// The language of this name, or null.
+std::span<LanguageRow const> languages();
+// The language of this name, or null. It is read from its files when it is asked for first.
 Language const *find_language(std::string_view name);
+
+// The files: NAME.toml and, with another extension, its texts.
+std::span<Asset const> language_files();
 
 } // namespace symreal

@@ -224,7 +224,7 @@ std::string module_begin(Emission const &emission) {
       text += fill.set_name("name", emission.name(size.name + "_count")).set("value", size.value)(syntax.size);
   text += matrices(emission);
   text += all_objects(emission, syntax.places) + all_objects(emission, syntax.structure);
-  text += fill(syntax.functions) + indented(emission.language, frozen_remark(emission));
+  text += fill(syntax.packing) + fill(syntax.functions) + indented(emission.language, frozen_remark(emission));
   if (!emission.graph().guards.empty()) text += indented(emission.language, guard_remark(emission) + "\n");
   return text;
 }

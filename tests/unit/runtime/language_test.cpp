@@ -1,6 +1,6 @@
 // What a table can say of a language that is not like C: a made-up one, in the manner of Fortran.
 #include "engine/emit/emit.h"
-#include "engine/emit/language/language.h"
+#include "engine/emit/language/language_file.h"
 #include "engine/emit/language/pattern.h"
 #include "engine/graph/graph_text.h"
 
@@ -9,44 +9,49 @@
 namespace symreal {
 namespace {
 
-constexpr OperationSpelling spellings[] = {
-    {Op::pow, "$x:15 ** $y:15", 14},      {Op::select, "merge($y, $z, $x)"}, {Op::logical_and, "$x:6 .and. $y:6", 5},
-    {Op::logical_not, ".not. $x:15", 14}, {Op::ne, "$x:12 /= $y:12", 9},
-};
-constexpr std::string_view keywords[] = {"end", "if", "real"};
-
 Language foreign(std::size_t width = 120) {
-  Language language;
+  std::string const table = R"toml(
+comment = { open = "! ", next = "! " }
+number = { name = "real(8)", zero = "0.0d0" }
+truth = { name = "logical", zero = ".false." }
+names = { keywords = ["end", "if", "real"], ignores_case = true }
+numbers = { nan = "nan", negative_nan = "-nan", infinity = "inf", negative_infinity = "-inf", exponent = "d", suffix = "d0" }
+files.extension = ".f90"
+[expressions]
+element = "$array($index)"
+first_index = 1
+yes = ".true."
+truth_as_number = "merge(1.0d0, 0.0d0, $x)"
+[expressions.operations]
+pow = ["$x:15 ** $y:15", 14]
+select = "merge($y, $z, $x)"
+logical_and = ["$x:6 .and. $y:6", 5]
+logical_not = [".not. $x:15", 14]
+ne = ["$x:12 /= $y:12", 9]
+[statements]
+first_declaration = "$type :: $name"
+variable = "$name = $value"
+constant = "$name = $value"
+set = "$name = $value"
+array = "real(8) :: $name($count)"
+open = "if ($condition) then"
+otherwise = "else"
+close = "end if"
+[functions]
+head = "subroutine $name($parameters)"
+local_head = "subroutine $name($parameters)"
+end = "end subroutine $name"
+input = "$name"
+output = "$name"
+input_declaration = "real(8), intent(in) :: $name(*)"
+output_declaration = "real(8), intent(out) :: $name(*)"
+call = "call $name($arguments)"
+most_statements = 3
+[lines]
+continuation = " &"
+width = )toml" + std::to_string(width);
+  Language language = read_language({"foreign.toml", table}, {}, {});
   language.name = "foreign";
-  language.names = {keywords, true};
-  language.comment = {"! ", "! ", ""};
-  language.lines = {.width = width, .continuation = " &"};
-  language.numbers = {"nan", "-nan", "inf", "-inf", "d", "d0"};
-  language.number = {"real(8)", "0.0d0"};
-  language.truth = {"logical", ".false."};
-  language.expressions = {.operations = spellings,
-                          .element = "$array($index)",
-                          .first_index = 1,
-                          .yes = ".true.",
-                          .truth_as_number = "merge(1.0d0, 0.0d0, $x)"};
-  language.statements = {.first_declaration = "$type :: $name",
-                         .variable = "$name = $value",
-                         .constant = "$name = $value",
-                         .set = "$name = $value",
-                         .array = "real(8) :: $name($count)",
-                         .open = "if ($condition) then",
-                         .otherwise = "else",
-                         .close = "end if"};
-  language.functions = {.head = "subroutine $name($parameters)",
-                        .local_head = "subroutine $name($parameters)",
-                        .end = "end subroutine $name",
-                        .input = "$name",
-                        .output = "$name",
-                        .input_declaration = "real(8), intent(in) :: $name(*)",
-                        .output_declaration = "real(8), intent(out) :: $name(*)",
-                        .call = "call $name($arguments)",
-                        .most_statements = 3};
-  language.files.extension = ".f90";
   return language;
 }
 
@@ -135,11 +140,14 @@ TEST(Language, PatternsFillTheirPlaces) {
             "int t1 = 3u;");
 }
 
+// Faults of the files are told here first.
 TEST(Language, EachRowHasATable) {
-  for (Language const &language : languages()) {
-    EXPECT_EQ(find_language(language.name), &language);
-    EXPECT_FALSE(language.doc.empty() || language.files.extension.empty()) << language.name;
-    EXPECT_NE(language.functions.head.empty(), language.files.whole == nullptr) << language.name;
+  for (auto const &[name, doc] : languages()) {
+    Language const *const language = find_language(name);
+    ASSERT_NE(language, nullptr);
+    EXPECT_EQ(language->name, name);
+    EXPECT_FALSE(doc.empty() || language->files.extension.empty()) << name;
+    EXPECT_NE(language->functions.head.empty(), language->files.whole == nullptr) << name;
   }
   EXPECT_EQ(find_language("foreign"), nullptr);
 }

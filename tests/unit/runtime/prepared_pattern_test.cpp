@@ -6,7 +6,7 @@
 namespace symreal {
 
 TEST(PreparedPattern, IsFilledInAsTheSamePatternIs) {
-  Language const language = language_c();
+  Language const &language = *find_language("c");
   for (std::string const pattern : {"$type const $name = $value;", "${name}$value", "$name", "text", "$$$name", ""}) {
     PreparedPattern const prepared(language, pattern, {"type", "name", "value"});
     std::string text = "before ";
@@ -16,7 +16,7 @@ TEST(PreparedPattern, IsFilledInAsTheSamePatternIs) {
 }
 
 TEST(PreparedPattern, HasTheWordsOfTheLanguage) {
-  PreparedPattern const prepared(language_c(), "$real $name[$count];", {"name", "count"});
+  PreparedPattern const prepared(*find_language("c"), "$real $name[$count];", {"name", "count"});
   std::string text;
   prepared.append_to(text, {"v", "3"});
   EXPECT_EQ(text, "double v[3];");
