@@ -1,9 +1,8 @@
-// Expressions of C whose type differs in C++: enumerations are integers in C, a truth value and a character are ints,
-// and gcc computes with bit-fields in types of their own. The differences are the silent ones of the C++ standard's
-// annex on C
-// ([diff.iso]).
+// Expressions of C whose type differs in C++: enumerations are integers in C, a truth value and a character are ints.
+// The differences are the silent ones of the C++ standard's annex on C ([diff.iso]).
 #include "engine/support/mutation/is_dropped.h"
-#include "rewrite/collect/collector.h"
+#include "rewrite/collect/c_widths.h"
+#include "rewrite/collect/handlers.h"
 
 namespace symreal::rewrite {
 using namespace clang;
@@ -122,100 +121,8 @@ bool may_be_symbolic(Expr const *expression) {
   return variable->getType()->getContainedAutoType() || variable->getType()->getAs<TypeOfExprType>();
 }
 
-std::string words(unsigned bits, bool is_signed) { return std::to_string(bits) + (is_signed ? ", true" : ", false"); }
-
-// The text of a macro's body is compiled with other operands as well.
-bool is_in_body(SourceMap const &map, SourceLocation operation) {
-  return !map.sources().getSLocEntry(map.frame(operation)).isFile();
-}
-constexpr char const *in_body = "a macro computes with a bit-field that is wider than int";
-
-// The signed type that an unsigned bit-field is promoted to; none for anything else.
-QualType promoted_field(Expr const *operand, ASTContext const &context) {
-  Expr const *field = operand->IgnoreParenImpCasts();
-  if (!isa<MemberExpr>(field) || !field->getType()->isUnsignedIntegerType()) return {};
-  QualType const promoted = context.isPromotableBitField(const_cast<Expr *>(field));
-  return !promoted.isNull() && promoted->isSignedIntegerType() ? promoted : QualType();
-}
-
-} // namespace
-
-// The integer type of an enumeration's expression.
-QualType Collector::counted_as(Expr const *enumeration) const {
-  Expr const *written = operand_of(enumeration);
-  auto const *type = written->getType()->getAs<EnumType>();
-  if (!type) return map_.language().CPlusPlus ? context_.IntTy : written->getType();
-  if (QualType const promoted = context_.isPromotableBitField(const_cast<Expr *>(written)); !promoted.isNull())
-    return promoted;
-  QualType const promoted = type->getDecl()->getPromotionType();
-  return promoted.isNull() ? context_.IntTy : promoted;
-}
-
-void Collector::c_operand(SourceLocation operation, Expr const *operand) {
-  if (map_.language().CPlusPlus || !map_.in_roots(operation)) return;
-  if (auto const *cast = dyn_cast<ImplicitCastExpr>(operand->IgnoreParens()))
-    if (cast->getCastKind() == CK_IntegralToFloating && Reals::is_double(cast->getType())) return; // implicit_cast
-  EnumDecl const *enumeration = enumeration_in_cpp(operand);
-  if (!enumeration || enumeration->isFixed()) return;
-  Expr const *written = operand_of(operand);
-  QualType const in_c = counted_as(written);
-  if (context_.hasSameUnqualifiedType(in_c, promoted_in_cpp(enumeration, context_))) return;
-  // Other expansions of a macro's body may have another type; an enumerator is one in all of them.
-  if (written->getType()->isEnumeralType())
-    wrap_for(operation, operand->IgnoreImpCasts(), Use::counted);
-  else
-    wrap(written, Use::of_c, spelled(in_c));
-}
-
-void Collector::c_operation(BinaryOperator const *operation) {
-  if (map_.language().CPlusPlus || operation->isLogicalOp() || operation->isCommaOp()) return;
-  if (operation->isAssignmentOp() && !operation->isCompoundAssignmentOp()) return;
-  QualType const left = operation->getLHS()->getType(), right = operation->getRHS()->getType();
-  if (left->isPointerType() || right->isPointerType()) return;
-  // Whether two integers of the size of an int are equal does not depend on their signs.
-  if (operation->isEqualityOp() && context_.getTypeSize(left) == context_.getTypeSize(context_.IntTy)) return;
-  if (!operation->isCompoundAssignmentOp()) c_operand(operation->getOperatorLoc(), operation->getLHS());
-  if (!operation->isShiftOp() && operation->getOpcode() != BO_ShlAssign && operation->getOpcode() != BO_ShrAssign)
-    c_operand(operation->getOperatorLoc(), operation->getRHS());
-}
-
-void Collector::c_operation(UnaryOperator const *operation) {
-  if (operation->getOpcode() == UO_Plus || operation->getOpcode() == UO_Minus || operation->getOpcode() == UO_Not)
-    c_operand(operation->getOperatorLoc(), operation->getSubExpr());
-  Expr const *counted = operation->getSubExpr();
-  if (map_.language().CPlusPlus || !operation->isIncrementDecrementOp() || !counted->getType()->isBooleanType()) return;
-  if (counted->refersToBitField())
-    report(DiagnosticId::c_source, operation->getOperatorLoc(), "a bit-field that is a truth value is counted");
-  else
-    wrap(counted, Use::enumeration);
-}
-
-void Collector::c_type_asked(Expr const *operand, bool is_size) {
-  if (map_.language().CPlusPlus || !map_.in_roots(operand->getBeginLoc())) return;
-  Other const other = is_size && may_be_symbolic(operand) ? Other::truth : other_type(operand, map_);
-  if (other == Other::none) return;
-  if (other == Other::enumeration) {
-    EnumDecl const *enumeration = enumeration_in_cpp(operand);
-    if (!enumeration || !enumeration->getDefinition()) return;
-    QualType const in_cpp = enumeration->getDefinition()->getIntegerType();
-    if (is_size && context_.getTypeSize(in_cpp) == context_.getTypeSize(operand->getType())) return;
-  }
-  if (other == Other::bit_field) { // C++ rejects sizeof of it; Clang ignores its width
-    Width const width = width_of(operand);
-    QualType const type = width.bits <= 32  ? (width.is_signed ? context_.IntTy : context_.UnsignedIntTy)
-                          : width.is_signed ? context_.LongLongTy
-                                            : context_.UnsignedLongLongTy;
-    return wrap(operand->IgnoreParens(), Use::cast, spelled(type));
-  }
-  // An object of a type asked for may hold values that depend on REALs, without a decision.
-  if (auto const *comparison = dyn_cast<BinaryOperator>(operand->IgnoreParenImpCasts());
-      !is_size && comparison && (reals_.is_real(comparison->getLHS()) || reals_.is_real(comparison->getRHS())))
-    return wrap(operand->IgnoreParens(), Use::of_c, "SYMREAL_REAL_INT(int)");
-  wrap(operand->IgnoreParens(), Use::of_c, spelled(operand->getType().getCanonicalType()));
-}
-
 // NULL is a pointer there, and an integer in C++.
-static void null_control(Expr const *null, SourceMap const &map, Facts &facts) {
+void null_control(Expr const *null, SourceMap const &map, Facts &facts) {
   SourceManager const &sources = map.sources();
   SourceLocation at = null->getBeginLoc();
   std::optional<Span> token;
@@ -227,151 +134,138 @@ static void null_control(Expr const *null, SourceMap const &map, Facts &facts) {
   if (token && !map.is_argument_of(at, "REAL_EITHER")) facts.wraps.insert({*token, Use::instead, "((void *)0)"});
 }
 
-// The controlling expression of _Generic; an integer that stays symbolic counts as its plain type (of_c.h).
-void Collector::c_control(Expr const *control) {
-  if (map_.language().CPlusPlus || !map_.in_roots(control->getBeginLoc()) || is_dropped("generic")) return;
-  Expr const *written = control->IgnoreParenImpCasts();
-  // The elements of a literal are const in C++.
-  if (isa<StringLiteral>(written)) return wrap(written, Use::cast, spelled(control->getType()));
-  if (control->getType()->isVoidPointerType() &&
-      control->isNullPointerConstant(context_, Expr::NPC_NeverValueDependent))
-    return null_control(written, map_, facts_);
-  if (!control->getType()->isPointerType()) c_type_asked(control, /*is_size=*/false);
-}
-
-// Before C99 a decimal number that is too large for long is an unsigned long, later a larger type.
-void Collector::c_literal(IntegerLiteral const *literal) {
-  if (map_.language().CPlusPlus || map_.language().C99 || !literal->getType()->isUnsignedIntegerType()) return;
-  std::optional<Span> const span = map_.token(literal->getLocation());
-  if (!span) return;
-  std::string const text = map_.text(*span, literal->getLocation());
-  if (text.starts_with("0") || text.find_first_not_of("0123456789lL") != text.npos) return;
-  wrap(literal, Use::cast, spelled(literal->getType()));
-}
-
-// Bit-fields wider than int: gcc computes with them in a type of just as many bits: `f.b << 1` loses the bits that do
-// not fit. C++ uses the bit-field's declared type, as Clang does in both languages.
-
-// The usual arithmetic conversions, on types of any width.
-Collector::Width Collector::common(Width one, Width other) {
-  if (one.bits != other.bits) return one.bits > other.bits ? one : other;
-  return one.is_signed ? other : one;
-}
-
-Collector::Width Collector::width_of(Expr const *expression) {
-  expression = expression->IgnoreParenImpCasts();
-  if (!expression->getType()->isIntegerType()) return {};
-  if (auto const known = widths_.find(expression); known != widths_.end()) return known->second;
-  Width const width = computed_width(expression);
-  return widths_[expression] = width;
-}
-
-Collector::Width Collector::computed_width(Expr const *expression) {
-  if (FieldDecl const *field = const_cast<Expr *>(expression)->getSourceBitField();
-      field && isa<MemberExpr>(expression)) {
-    unsigned const bits = field->getBitWidthValue(context_);
-    bool const is_signed = field->getType()->isSignedIntegerType();
-    return bits < 32 ? Width{32, true} : Width{bits, is_signed};
+class TypesOfC : public SyntaxHandler {
+public:
+  explicit TypesOfC(SyntaxTable &table) : SyntaxHandler(table) {
+    on<BinaryOperator>(ANYWHERE, &TypesOfC::c_operation);
+    on<UnaryOperator>(ANYWHERE, &TypesOfC::c_operation);
+    on<ConditionalOperator>(ANYWHERE, &TypesOfC::c_choice);
+    on<UnaryExprOrTypeTraitExpr>(ANYWHERE, &TypesOfC::c_type_asked);
+    on<TypeOfExprTypeLoc>(ANYWHERE, &TypesOfC::c_type_asked);
+    on<VarDecl>(ANYWHERE, &TypesOfC::c_type_asked);
+    on<GenericSelectionExpr>(ANYWHERE, &TypesOfC::c_selection);
+    on<IntegerLiteral>(ANYWHERE, &TypesOfC::c_literal);
   }
-  if (auto const *unary = dyn_cast<UnaryOperator>(expression);
-      unary && unary->getOpcode() != UO_LNot && unary->getOpcode() != UO_Deref)
-    return width_of(unary->getSubExpr());
-  if (auto const *binary = dyn_cast<BinaryOperator>(expression)) {
-    if (binary->isComparisonOp() || binary->isLogicalOp()) return {32, true};
-    if (binary->isCommaOp()) return width_of(binary->getRHS());
-    if (binary->isAssignmentOp() || binary->isShiftOp()) return width_of(binary->getLHS());
-    return common(width_of(binary->getLHS()), width_of(binary->getRHS()));
+
+private:
+  void c_choice(ConditionalOperator const *choice) {
+    if (choice->getType()->isIntegerType())
+      for (Expr const *arm : {choice->getTrueExpr(), choice->getFalseExpr()}) c_operand(choice->getQuestionLoc(), arm);
   }
-  if (auto const *choice = dyn_cast<ConditionalOperator>(expression))
-    return common(width_of(choice->getTrueExpr()), width_of(choice->getFalseExpr()));
-  QualType const type = expression->getType();
-  QualType const promoted =
-      context_.isPromotableIntegerType(type) ? context_.getPromotedIntegerType(type) : type.getCanonicalType();
-  return {static_cast<unsigned>(context_.getIntWidth(promoted)), promoted->isSignedIntegerOrEnumerationType()};
-}
-
-// An operand of an operation that is computed in that width.
-void Collector::as_width(SourceLocation operation, Expr const *operand, Width width) {
-  Width const own = width_of(operand);
-  bool const is_literal = isa<IntegerLiteral>(operand->IgnoreParenImpCasts()); // which is not negative
-  if (!is_literal && (own.bits != width.bits || own.is_signed != width.is_signed))
-    wrap_for(operation, operand->IgnoreImpCasts(), Use::as_width, words(width.bits, width.is_signed));
-}
-
-void Collector::c_widths(BinaryOperator const *operation) {
-  if (map_.language().CPlusPlus || operation->isLogicalOp() || operation->isCommaOp()) return;
-  if (operation->getOpcode() == BO_Assign || !map_.in_roots(operation->getOperatorLoc())) return;
-  Width const left = width_of(operation->getLHS()), right = width_of(operation->getRHS());
-  if (left.bits == 0 || right.bits == 0 || (!left.is_narrow() && !right.is_narrow())) return;
-  if (is_in_body(map_, operation->getOperatorLoc()))
-    return report(DiagnosticId::c_source, operation->getOperatorLoc(), in_body);
-  bool const is_shift =
-      operation->isShiftOp() || operation->getOpcode() == BO_ShlAssign || operation->getOpcode() == BO_ShrAssign;
-  Width const width = is_shift ? left : common(left, right);
-  if (operation->isCompoundAssignmentOp()) {
-    bool const divides = operation->getOpcode() == BO_DivAssign || operation->getOpcode() == BO_RemAssign;
-    if (divides && !left.is_narrow() && left.is_signed && !width.is_signed)
-      report(DiagnosticId::c_source, operation->getOperatorLoc(),
-             "this divides by a bit-field of " + std::to_string(right.bits) +
-                 " bits, and its left side is converted to an integer of that width");
-    else if (!is_shift)
-      as_width(operation->getOperatorLoc(), operation->getRHS(), width);
-    return;
+  void c_type_asked(UnaryExprOrTypeTraitExpr const *expression) {
+    if (!expression->isArgumentType())
+      c_type_asked(expression->getArgumentExpr(), expression->getKind() == UETT_SizeOf);
   }
-  if (!is_shift)
-    for (Expr const *operand : {operation->getLHS(), operation->getRHS()})
-      as_width(operation->getOperatorLoc(), operand, width);
-  if (!operation->isComparisonOp() && width.is_narrow())
-    wrap(operation, Use::width, words(width.bits, width.is_signed));
+  void c_type_asked(TypeOfExprTypeLoc type) { c_type_asked(type.getUnderlyingExpr(), /*is_size=*/false); }
+  void c_type_asked(VarDecl const *variable) {
+    if (variable->hasInit() && variable->getType()->getContainedAutoType())
+      c_type_asked(variable->getInit(), /*is_size=*/false);
+  }
+  void c_selection(GenericSelectionExpr const *selection) {
+    if (selection->isExprPredicate()) c_control(selection->getControllingExpr());
+  }
+
+  void c_operand(SourceLocation operation, Expr const *operand) {
+    if (map_.language().CPlusPlus || !map_.in_roots(operation)) return;
+    if (auto const *cast = dyn_cast<ImplicitCastExpr>(operand->IgnoreParens()))
+      if (cast->getCastKind() == CK_IntegralToFloating && Reals::is_double(cast->getType()))
+        return; // a conversion (expressions.cpp)
+    EnumDecl const *enumeration = enumeration_in_cpp(operand);
+    if (!enumeration || enumeration->isFixed()) return;
+    Expr const *written = operand_of(operand);
+    QualType const in_c = counted_as(written);
+    if (context_.hasSameUnqualifiedType(in_c, promoted_in_cpp(enumeration, context_))) return;
+    // Other expansions of a macro's body may have another type; an enumerator is one in all of them.
+    if (written->getType()->isEnumeralType())
+      wrap_for(operation, operand->IgnoreImpCasts(), Use::counted);
+    else
+      wrap(written, Use::of_c, spelled(in_c));
+  }
+
+  void c_operation(BinaryOperator const *operation) {
+    if (map_.language().CPlusPlus || operation->isLogicalOp() || operation->isCommaOp()) return;
+    if (operation->isAssignmentOp() && !operation->isCompoundAssignmentOp()) return;
+    QualType const left = operation->getLHS()->getType(), right = operation->getRHS()->getType();
+    if (left->isPointerType() || right->isPointerType()) return;
+    // Whether two integers of the size of an int are equal does not depend on their signs.
+    if (operation->isEqualityOp() && context_.getTypeSize(left) == context_.getTypeSize(context_.IntTy)) return;
+    if (!operation->isCompoundAssignmentOp()) c_operand(operation->getOperatorLoc(), operation->getLHS());
+    if (!operation->isShiftOp() && operation->getOpcode() != BO_ShlAssign && operation->getOpcode() != BO_ShrAssign)
+      c_operand(operation->getOperatorLoc(), operation->getRHS());
+  }
+
+  void c_operation(UnaryOperator const *operation) {
+    if (operation->getOpcode() == UO_Plus || operation->getOpcode() == UO_Minus || operation->getOpcode() == UO_Not)
+      c_operand(operation->getOperatorLoc(), operation->getSubExpr());
+    Expr const *counted = operation->getSubExpr();
+    if (map_.language().CPlusPlus || !operation->isIncrementDecrementOp() || !counted->getType()->isBooleanType())
+      return;
+    if (counted->refersToBitField())
+      report(DiagnosticId::c_source, operation->getOperatorLoc(), "a bit-field that is a truth value is counted");
+    else
+      wrap(counted, Use::enumeration);
+  }
+
+  void c_type_asked(Expr const *operand, bool is_size) {
+    if (map_.language().CPlusPlus || !map_.in_roots(operand->getBeginLoc())) return;
+    Other const other = is_size && may_be_symbolic(operand) ? Other::truth : other_type(operand, map_);
+    if (other == Other::none) return;
+    if (other == Other::enumeration) {
+      EnumDecl const *enumeration = enumeration_in_cpp(operand);
+      if (!enumeration || !enumeration->getDefinition()) return;
+      QualType const in_cpp = enumeration->getDefinition()->getIntegerType();
+      if (is_size && context_.getTypeSize(in_cpp) == context_.getTypeSize(operand->getType())) return;
+    }
+    if (other == Other::bit_field) { // C++ rejects sizeof of it; Clang ignores its width
+      Width const width = Widths(context_).of(operand);
+      QualType const type = width.bits <= 32  ? (width.is_signed ? context_.IntTy : context_.UnsignedIntTy)
+                            : width.is_signed ? context_.LongLongTy
+                                              : context_.UnsignedLongLongTy;
+      return wrap(operand->IgnoreParens(), Use::cast, spelled(type));
+    }
+    // An object of a type asked for may hold values that depend on REALs, without a decision.
+    if (auto const *comparison = dyn_cast<BinaryOperator>(operand->IgnoreParenImpCasts());
+        !is_size && comparison && (reals_.is_real(comparison->getLHS()) || reals_.is_real(comparison->getRHS())))
+      return wrap(operand->IgnoreParens(), Use::of_c, "SYMREAL_REAL_INT(int)");
+    wrap(operand->IgnoreParens(), Use::of_c, spelled(operand->getType().getCanonicalType()));
+  }
+
+  // The controlling expression of _Generic; an integer that stays symbolic counts as its plain type (of_c.h).
+  void c_control(Expr const *control) {
+    if (map_.language().CPlusPlus || !map_.in_roots(control->getBeginLoc()) || is_dropped("generic")) return;
+    Expr const *written = control->IgnoreParenImpCasts();
+    // The elements of a literal are const in C++.
+    if (isa<StringLiteral>(written)) return wrap(written, Use::cast, spelled(control->getType()));
+    if (control->getType()->isVoidPointerType() &&
+        control->isNullPointerConstant(context_, Expr::NPC_NeverValueDependent))
+      return null_control(written, map_, facts_);
+    if (!control->getType()->isPointerType()) c_type_asked(control, /*is_size=*/false);
+  }
+
+  // Before C99 a decimal number that is too large for long is an unsigned long, later a larger type.
+  void c_literal(IntegerLiteral const *literal) {
+    if (map_.language().CPlusPlus || map_.language().C99 || !literal->getType()->isUnsignedIntegerType()) return;
+    std::optional<Span> const span = map_.token(literal->getLocation());
+    if (!span) return;
+    std::string const text = map_.text(*span, literal->getLocation());
+    if (text.starts_with("0") || text.find_first_not_of("0123456789lL") != text.npos) return;
+    wrap(literal, Use::cast, spelled(literal->getType()));
+  }
+};
+
+} // namespace
+
+// The integer type of an enumeration's expression.
+QualType SyntaxHandler::counted_as(Expr const *enumeration) const {
+  Expr const *written = operand_of(enumeration);
+  auto const *type = written->getType()->getAs<EnumType>();
+  if (!type) return map_.language().CPlusPlus ? context_.IntTy : written->getType();
+  if (QualType const promoted = context_.isPromotableBitField(const_cast<Expr *>(written)); !promoted.isNull())
+    return promoted;
+  QualType const promoted = type->getDecl()->getPromotionType();
+  return promoted.isNull() ? context_.IntTy : promoted;
 }
 
-void Collector::c_widths(UnaryOperator const *operation) {
-  if (map_.language().CPlusPlus || !map_.in_roots(operation->getOperatorLoc())) return;
-  if (operation->getOpcode() != UO_Minus && operation->getOpcode() != UO_Not) return;
-  Width const width = width_of(operation->getSubExpr());
-  if (width.is_narrow() && is_in_body(map_, operation->getOperatorLoc()))
-    report(DiagnosticId::c_source, operation->getOperatorLoc(), in_body);
-  else if (width.is_narrow())
-    wrap(operation, Use::width, words(width.bits, width.is_signed));
-}
-
-void Collector::c_widths(ConditionalOperator const *choice) {
-  if (map_.language().CPlusPlus || !choice->getType()->isIntegerType()) return;
-  if (!map_.in_roots(choice->getQuestionLoc())) return;
-  Width const yes = width_of(choice->getTrueExpr()), no = width_of(choice->getFalseExpr());
-  if (yes.bits == 0 || no.bits == 0 || (!yes.is_narrow() && !no.is_narrow())) return;
-  if (is_in_body(map_, choice->getQuestionLoc()))
-    return report(DiagnosticId::c_source, choice->getQuestionLoc(), in_body);
-  for (Expr const *arm : {choice->getTrueExpr(), choice->getFalseExpr()})
-    as_width(choice->getQuestionLoc(), arm, common(yes, no));
-}
-
-// A bit-field that is narrower than int is an int wherever it is computed with. Two compute with the type that it is
-// declared with: g++, where it is an arm of `?:` or on the right of `n /= f.b`, and a template that has the place of an
-// operator, as those of integers that are computed from real numbers.
-
-// Sources of C become C++; the compiler of a source in C++ is g++ itself.
-void Collector::narrow_fields(AbstractConditionalOperator const *choice) {
-  if (map_.language().CPlusPlus || !choice->getType()->isIntegerType() || !map_.in_roots(choice->getQuestionLoc()))
-    return;
-  auto const *binary = dyn_cast<BinaryConditionalOperator>(choice);
-  for (Expr const *arm : {binary ? binary->getCommon() : choice->getTrueExpr(), choice->getFalseExpr()})
-    if (QualType const type = promoted_field(arm, context_); !type.isNull())
-      wrap(arm->IgnoreImpCasts(), Use::cast, spelled(type));
-}
-
-// Beside an integer that is computed from real numbers.
-void Collector::narrow_fields(BinaryOperator const *operation) {
-  if (operation->isLogicalOp() || operation->isCommaOp() || operation->getOpcode() == BO_Assign) return;
-  if (operation->isCompoundAssignmentOp() && map_.language().CPlusPlus) return;
-  if (!map_.in_roots(operation->getOperatorLoc())) return;
-  auto const look = [&](Expr const *operand, Expr const *other) {
-    QualType const type = promoted_field(operand, context_);
-    if (!type.isNull() && (other->isInstantiationDependent() || may_be_truth(other)))
-      wrap(operand->IgnoreImpCasts(), Use::before, "(" + spelled(type) + ")");
-  };
-  if (!operation->isCompoundAssignmentOp()) look(operation->getLHS(), operation->getRHS());
-  look(operation->getRHS(), operation->getLHS());
-}
+void add_c_types(SyntaxTable &table) { table.add<TypesOfC>(); }
 
 } // namespace symreal::rewrite

@@ -1,6 +1,8 @@
-// Calls, and their arguments: those for which a parameter declares no type are passed through `...`.
+// CallArguments, and their arguments: those for which a parameter declares no type are passed through `...`.
 #include "engine/support/installation.h"
-#include "rewrite/collect/collector.h"
+#include "rewrite/collect/call_site.h"
+#include "rewrite/collect/handlers.h"
+#include "rewrite/collect/objects.h"
 #include "rewrite/model/conditions.h"
 #include "rewrite/model/library.h"
 #include "rewrite/source/walk.h"
@@ -9,15 +11,6 @@ namespace symreal::rewrite {
 using namespace clang;
 
 namespace {
-
-Expr const *written(Expr const *expression) {
-  while (true) {
-    Expr const *inner = expression->IgnoreImplicit();
-    if (auto const *bound = dyn_cast<CXXBindTemporaryExpr>(inner)) inner = bound->getSubExpr();
-    if (inner == expression) return inner;
-    expression = inner;
-  }
-}
 
 std::vector<Expr const *> written_arguments(llvm::ArrayRef<Expr const *> all) {
   std::vector<Expr const *> result;
@@ -156,6 +149,47 @@ private:
   std::vector<Expr const *> met_;
 };
 
+class CallArguments : public ObjectUses {
+public:
+  explicit CallArguments(SyntaxTable &table) : ObjectUses(table) {
+    on<CallSite>(NUMBERS, &CallArguments::site);
+    on<CallExpr>(NUMBERS, &CallArguments::dependent_variadic_call);
+    on<ImplicitCastExpr>(NUMBERS, &CallArguments::conversion);
+    on<InitListExpr>(RUNNING, &CallArguments::elements);
+    on<CallSite>(INSTANCES, &CallArguments::instantiated_site);
+  }
+
+private:
+  void site(CallSite const *site);
+  void instantiated_site(CallSite const *site);
+  void elements(InitListExpr const *list);
+  void conversion(ImplicitCastExpr const *cast);
+  void dependent_variadic_call(CallExpr const *call);
+
+  void arguments(CallSite const *site);
+  void literal_argument(FunctionDecl const *function, unsigned index, Expr const *argument, bool overloaded,
+                        unsigned count, Use use = Use::literal);
+  void outside_argument(SourceLocation call, FunctionDecl const *function, unsigned index, Expr const *argument);
+  bool takes_only(FunctionDecl const *function) const;
+  void converting_construction(CXXConstructExpr const *construction);
+};
+
+class ArgumentLists : public SyntaxHandler {
+public:
+  explicit ArgumentLists(SyntaxTable &table) : SyntaxHandler(table) {
+    on<LambdaExpr>(ANYWHERE, &ArgumentLists::of);
+    on<FunctionDecl>(ANYWHERE, &ArgumentLists::of);
+  }
+
+private:
+  void of(LambdaExpr const *lambda) { argument_list(lambda->getCallOperator()); }
+  void of(FunctionDecl const *function) {
+    if (function->doesThisDeclarationHaveABody()) argument_list(function);
+  }
+
+  void argument_list(FunctionDecl const *function);
+};
+
 } // namespace
 
 // Promoted type of an integer passed through `...`, as source text.
@@ -164,18 +198,10 @@ static std::string promoted_integer(Expr const *argument) {
   return type->isBooleanType() ? "int" : type.getUnqualifiedType().getAsString();
 }
 
-void Collector::call(CallExpr const *call) {
+std::optional<CallSite> call_site(CallExpr const *call) {
   FunctionDecl const *function = call->getDirectCallee();
-  if (!function) return;
-  symbolic_main(call, function);
-  bytes_of_arguments(call, function);
+  if (!function) return std::nullopt;
   Expr const *callee = call->getCallee()->IgnoreParenImpCasts();
-  callees_.insert(callee);
-  if (function->getIdentifier() && (function->getName() == "free" || function->getName() == "realloc") &&
-      call->getNumArgs() > 0)
-    counting_casts_.insert(call->getArg(0)->IgnoreParenImpCasts());
-  if (Reals::External const *external = reals_.external(function))
-    return wrap(callee, Use::external, external->arguments);
   bool overloaded = false;
   if (auto const *reference = dyn_cast<DeclRefExpr>(callee))
     overloaded = reference->hadMultipleCandidates();
@@ -183,29 +209,56 @@ void Collector::call(CallExpr const *call) {
     overloaded = member->hadMultipleCandidates();
   std::vector<Expr const *> all(call->arg_begin(), call->arg_end());
   if (isa<CXXOperatorCallExpr>(call) && isa<CXXMethodDecl>(function) && !all.empty()) all.erase(all.begin());
-  // stream.operator<<(x): the operator for REALs is a free function.
-  if (isa<CXXMemberCallExpr>(call) && function->getOverloadedOperator() == OO_LessLess &&
-      runtime_overloads(function, map_.sources()) && all.size() == 1 && reals_.is_real(all[0]))
-    wrap_for(call->getRParenLoc(), all[0], Use::value, function->getQualifiedNameAsString());
-  arguments(call->getRParenLoc(), function, written_arguments(all), overloaded);
-  converted_by_library(call, function);
-  kept_by_type(function, all);
+  return CallSite{call, call->getRParenLoc(), function, written_arguments(all), overloaded};
 }
 
-void Collector::construction(CXXConstructExpr const *construction) {
-  if (construction->getLocation().isInvalid()) return;
+std::optional<CallSite> call_site(CXXConstructExpr const *construction) {
   CXXConstructorDecl const *constructor = construction->getConstructor();
-  if (constructor->isCopyOrMoveConstructor()) return constant_object(construction->getArg(0));
-  if (construction->getParenOrBraceRange().isInvalid()) converting_construction(construction);
-  kept_callable(construction);
+  if (construction->getLocation().isInvalid() || constructor->isCopyOrMoveConstructor()) return std::nullopt;
   std::vector<Expr const *> const all(construction->arg_begin(), construction->arg_end());
-  kept_by_type(constructor, all);
-  arguments(construction->getLocation(), constructor, written_arguments(all), construction->hadMultipleCandidates());
+  return CallSite{construction, construction->getLocation(), constructor, written_arguments(all),
+                  construction->hadMultipleCandidates()};
+}
+
+bool takes_as_declared(FunctionDecl const *function, Reals const &reals) {
+  return !reals.is_math(function) && !reals.external(function);
+}
+
+bool is_outside(FunctionDecl const *function, SourceMap const &map, Reals const &reals) {
+  return !reals.in_roots(function) && !runtime_overloads(function, map.sources());
+}
+
+void CallArguments::site(CallSite const *site) {
+  auto const *call = dyn_cast<CallExpr>(site->expression);
+  auto const *construction = dyn_cast<CXXConstructExpr>(site->expression);
+  FunctionDecl const *function = site->function;
+  if (Reals::External const *external = call ? reals_.external(function) : nullptr)
+    return wrap(call->getCallee()->IgnoreParenImpCasts(), Use::external, external->arguments);
+  // stream.operator<<(x): the operator for REALs is a free function.
+  if (call && isa<CXXMemberCallExpr>(call) && function->getOverloadedOperator() == OO_LessLess &&
+      runtime_overloads(function, map_.sources()) && site->arguments.size() == 1 && reals_.is_real(site->arguments[0]))
+    wrap_for(site->place, site->arguments[0], Use::value, function->getQualifiedNameAsString());
+  if (construction && construction->getParenOrBraceRange().isInvalid()) converting_construction(construction);
+  arguments(site);
+}
+
+void CallArguments::elements(InitListExpr const *list) {
+  for (Expr const *element : converted_elements(list))
+    if (auto const *made = element ? dyn_cast<CXXConstructExpr>(element->IgnoreImplicit()) : nullptr;
+        made && made->getParenOrBraceRange().isInvalid())
+      converting_construction(made);
+}
+
+void CallArguments::conversion(ImplicitCastExpr const *cast) {
+  auto const *construction = dyn_cast<CXXConstructExpr>(cast->getSubExpr()->IgnoreImplicit());
+  if (construction && cast->getCastKind() == CK_ConstructorConversion && !cast->isTypeDependent() &&
+      !cast->getSubExpr()->isTypeDependent())
+    converting_construction(construction);
 }
 
 // An implicit conversion through a constructor that takes double: from a literal it would need two steps, double to
 // REAL and REAL to the class, and the language takes only one.
-void Collector::converting_construction(CXXConstructExpr const *construction) {
+void CallArguments::converting_construction(CXXConstructExpr const *construction) {
   if (construction->getNumArgs() == 0 || isa<CXXDefaultArgExpr>(construction->getArg(0))) return;
   CXXConstructorDecl const *constructor = construction->getConstructor();
   if (constructor->getNumParams() == 0 || !Reals::is_double(constructor->getParamDecl(0)->getType())) return;
@@ -214,21 +267,14 @@ void Collector::converting_construction(CXXConstructExpr const *construction) {
   if (argument->getType()->isArithmeticType() && reals_.stays_double(argument)) wrap(argument, Use::literal);
 }
 
-void Collector::arguments(SourceLocation call, FunctionDecl const *function, Arguments arguments, bool overloaded) {
+void CallArguments::arguments(CallSite const *site) {
+  auto const &[expression, call, function, arguments, overloaded] = *site;
+  if (!takes_as_declared(function, reals_)) return;
   auto const count = static_cast<unsigned>(arguments.size());
-  bool const math = reals_.is_math(function);
-  bool const outside = !reals_.in_roots(function) && !runtime_overloads(function, map_.sources());
-  if (!math) constant_arguments(function, arguments, outside);
+  bool const outside = is_outside(function, map_, reals_);
   for (unsigned i = 0; i < count; ++i) {
-    if (math || arguments[i]->isTypeDependent()) continue;
+    if (arguments[i]->isTypeDependent()) continue;
     if (is_plain_double(arguments[i])) literal_argument(function, i, arguments[i], overloaded, count);
-    if (auto const *list = dyn_cast<CXXStdInitializerListExpr>(written(arguments[i]))) {
-      auto const *elements = dyn_cast<InitListExpr>(list->getSubExpr()->IgnoreImplicit());
-      bool const deduced = function->getPrimaryTemplate() != nullptr;
-      if (elements && (deduced || elements->getNumInits() <= 2)) deduced_elements(elements);
-    }
-    truth_argument(function, i, arguments[i], overloaded);
-    extreme_argument(function, i, arguments[i]);
     if (outside)
       outside_argument(call, function, i, arguments[i]);
     else if (i < function->getNumParams() || !function->isVariadic())
@@ -240,8 +286,24 @@ void Collector::arguments(SourceLocation call, FunctionDecl const *function, Arg
   }
 }
 
-void Collector::literal_argument(FunctionDecl const *function, unsigned index, Expr const *argument, bool overloaded,
-                                 unsigned count, Use use) {
+// A literal by which the template of another function is chosen.
+void CallArguments::instantiated_site(CallSite const *site) {
+  auto const *construction = dyn_cast<CXXConstructExpr>(site->expression);
+  auto const count = static_cast<unsigned>(site->arguments.size());
+  // `return 1.0;` in a template: a number here, and a class of numbers there.
+  if (construction && construction->getParenOrBraceRange().isInvalid() && count > 0 &&
+      is_plain_double(site->arguments[0]) && Reals::is_double(site->function->getParamDecl(0)->getType()) &&
+      !Reals::is_passive_class(construction->getType()))
+    return wrap(site->arguments[0], Use::fit);
+  for (unsigned i = 0; i < count; ++i)
+    if (Expr const *argument = site->arguments[i]; is_plain_double(argument)) {
+      Use const use = isa<FloatingLiteral>(argument->IgnoreParenImpCasts()) ? Use::literal : Use::deduced;
+      literal_argument(site->function, i, argument, true, count, use);
+    }
+}
+
+void CallArguments::literal_argument(FunctionDecl const *function, unsigned index, Expr const *argument,
+                                     bool overloaded, unsigned count, Use use) {
   if (index >= function->getNumParams()) {
     auto const *primary = function->getPrimaryTemplate();
     if (primary && !function->isVariadic()) wrap(argument, use); // an element of a parameter pack
@@ -261,7 +323,7 @@ void Collector::literal_argument(FunctionDecl const *function, unsigned index, E
 }
 
 // Whether a function neither returns nor keeps doubles: its arguments leave the program.
-bool Collector::takes_only(FunctionDecl const *function) const {
+bool CallArguments::takes_only(FunctionDecl const *function) const {
   if (reals_.mentions_real(function->getReturnType())) return false;
   for (ParmVarDecl const *parameter : function->parameters()) {
     QualType const type = parameter->getType();
@@ -281,8 +343,8 @@ bool Collector::takes_only(FunctionDecl const *function) const {
   return !method || method->isStatic() || method->getParent()->isInStdNamespace();
 }
 
-void Collector::outside_argument(SourceLocation call, FunctionDecl const *function, unsigned index,
-                                 Expr const *argument) {
+void CallArguments::outside_argument(SourceLocation call, FunctionDecl const *function, unsigned index,
+                                     Expr const *argument) {
   bool const real = reals_.is_real(argument);
   std::string const name = "'" + function->getQualifiedNameAsString() + "', which is outside the roots";
   if (index >= function->getNumParams()) {
@@ -331,7 +393,7 @@ void Collector::outside_argument(SourceLocation call, FunctionDecl const *functi
     report(DiagnosticId::boundary_call, argument->getBeginLoc(), "a REAL goes to " + name);
 }
 
-void Collector::argument_list(FunctionDecl const *function) {
+void ArgumentLists::argument_list(FunctionDecl const *function) {
   bool const takes_list = llvm::any_of(
       function->parameters(), [](ParmVarDecl const *parameter) { return is_list(parameter->getOriginalType()); });
   if (!function->isVariadic() && !takes_list) return;
@@ -345,7 +407,7 @@ void Collector::argument_list(FunctionDecl const *function) {
 
 // Whether the integer may be of a class in the symbolic program: a comparison, isnan, results of truth values and
 // rounding. True in doubt: the macro passes plain integers on.
-bool Collector::may_be_truth(Expr const *argument) const {
+bool SyntaxHandler::may_be_truth(Expr const *argument) const {
   if (!ScalarState::is_integer(argument->getType())) return false;
   if (reals_.is_symbolic_integer(argument) || Conditions(map_, reals_).mentions_real(argument)) return true;
   Expr const *bare = argument->IgnoreParenImpCasts();
@@ -361,7 +423,7 @@ bool Collector::may_be_truth(Expr const *argument) const {
 }
 
 // The arguments of printf in a template may turn out to be numbers.
-void Collector::dependent_variadic_call(CallExpr const *call) {
+void CallArguments::dependent_variadic_call(CallExpr const *call) {
   FunctionDecl const *function = call->getDirectCallee();
   if (auto const *names = dyn_cast<UnresolvedLookupExpr>(call->getCallee()->IgnoreParenImpCasts()))
     if (names->getNumDecls() == 1) function = dyn_cast<FunctionDecl>((*names->decls_begin())->getUnderlyingDecl());
@@ -370,6 +432,11 @@ void Collector::dependent_variadic_call(CallExpr const *call) {
   for (unsigned i = function->getNumParams(); i < call->getNumArgs(); ++i)
     if (call->getArg(i)->isTypeDependent() && !isa<PackExpansionExpr>(call->getArg(i)))
       wrap_for(call->getRParenLoc(), call->getArg(i), Use::value, reader);
+}
+
+void add_calls(SyntaxTable &table) {
+  table.add<CallArguments>();
+  table.add<ArgumentLists>();
 }
 
 } // namespace symreal::rewrite

@@ -1,6 +1,6 @@
 // Objects of doubles that are constant expressions, such as constexpr std::array<double, 2>: they stay as they are, and
 // whoever takes one whole takes an object of REALs.
-#include "rewrite/collect/collector.h"
+#include "rewrite/collect/handlers.h"
 #include "rewrite/model/library.h"
 #include "rewrite/source/walk.h"
 
@@ -93,46 +93,98 @@ bool is_evaluated(FunctionDecl const *function) {
   return function && function->isConstexpr() && !(method && method->getParent()->isLambda());
 }
 
+class ConstantObjects : public SyntaxHandler {
+public:
+  explicit ConstantObjects(SyntaxTable &table) : SyntaxHandler(table) {
+    on<CallSite>(ANYWHERE, &ConstantObjects::constants_handed);
+    on<CallSite>(NUMBERS, &ConstantObjects::constant_arguments);
+    on<CallExpr>(NUMBERS, &ConstantObjects::dependent_call);
+    on<CXXConstructExpr>(NUMBERS, &ConstantObjects::copy);
+    on<InitListExpr>(NUMBERS, &ConstantObjects::elements);
+    on<FunctionDecl>(NUMBERS, &ConstantObjects::initializers);
+    on<VarDecl>(ANYWHERE, &ConstantObjects::constant_results_of);
+    on<VarDecl>(NUMBERS, &ConstantObjects::constant_initializer_of);
+    on<CXXForRangeStmt>(NUMBERS, &ConstantObjects::constant_elements);
+    on<ReturnStmt>(NUMBERS, &ConstantObjects::constant_result);
+    on<BinaryOperator>(NUMBERS, &ConstantObjects::constant_operand);
+  }
+
+private:
+  bool is_constant_evaluated() const { return at_.passive || is_evaluated(at_.function); }
+  void constants_handed(CallSite const *site);
+  void constant_arguments(CallSite const *site);
+  void dependent_call(CallExpr const *dependent);
+  void copy(CXXConstructExpr const *construction) {
+    if (construction->getConstructor()->isCopyOrMoveConstructor()) constant_object(construction->getArg(0));
+  }
+  void initializers(FunctionDecl const *function);
+  void elements(InitListExpr const *list) {
+    for (Expr const *element : converted_elements(list)) constant_object(element);
+  }
+  void constant_results_of(VarDecl const *variable) {
+    if (at_.passive == constant_variable || at_.passive == static_member)
+      constant_results(variable->getInit(), variable->getType()->getContainedAutoType());
+  }
+  void constant_results(Expr const *initializer, bool is_deduced);
+  void constant_initializer_of(VarDecl const *variable);
+  void constant_elements(CXXForRangeStmt const *loop);
+  void constant_result(ReturnStmt const *statement);
+  void constant_operand(BinaryOperator const *operation);
+
+  void constant_object(Expr const *value);
+  void constant_object(Expr const *value, Use use);
+};
+
 } // namespace
 
-void Collector::constant_object(Expr const *value, bool is_in_constant) {
-  if (!value || !map_.language().CPlusPlus || (!is_in_constant && function_ && is_evaluated(*function_))) return;
+void ConstantObjects::constant_object(Expr const *value) {
+  if (!is_evaluated(at_.function)) constant_object(value, Use::deduced);
+}
+
+void ConstantObjects::constant_object(Expr const *value, Use use) {
+  if (!value || !map_.language().CPlusPlus) return;
   Expr const *object = bare(value);
   if (auto const *choice = dyn_cast<ConditionalOperator>(object)) {
-    constant_object(choice->getTrueExpr(), is_in_constant);
-    return constant_object(choice->getFalseExpr(), is_in_constant);
+    constant_object(choice->getTrueExpr(), use);
+    return constant_object(choice->getFalseExpr(), use);
   }
   if (auto const *list = dyn_cast<ParenListExpr>(object)) { // in a template
-    for (unsigned i = 0; i < list->getNumExprs(); ++i) constant_object(list->getExpr(i), is_in_constant);
+    for (unsigned i = 0; i < list->getNumExprs(); ++i) constant_object(list->getExpr(i), use);
     return;
   }
   if (object->getType().isNull() || object->isTypeDependent() || !map_.in_roots(object->getBeginLoc())) return;
   if (!spells_double(object->getType()) || !names_constant(object, reals_)) return;
-  if (!is_in_constant) return wrap(object, Use::deduced);
-  if (Expr const *name = static_name(object)) wrap(name, Use::constant);
+  Expr const *wrapped = use == Use::constant ? static_name(object) : object;
+  if (wrapped) wrap(wrapped, use);
 }
 
 // Where the compiler evaluates, an object is handed to a function of the program that takes REALs.
-void Collector::constants_handed(FunctionDecl const *function, Arguments arguments) {
-  if (!function || !map_.language().CPlusPlus || !reals_.in_roots(function)) return;
-  FunctionDecl const *written = Reals::pattern(function);
-  for (std::size_t i = 0; i < arguments.size() && i < written->getNumParams(); ++i)
+void ConstantObjects::constants_handed(CallSite const *site) {
+  if (!is_constant_evaluated() || !reals_.in_roots(site->function)) return;
+  FunctionDecl const *written = Reals::pattern(site->function);
+  for (std::size_t i = 0; i < site->arguments.size() && i < written->getNumParams(); ++i)
     if (!written->getParamDecl(static_cast<unsigned>(i))->getType()->isDependentType())
-      constant_object(arguments[i], true);
+      constant_object(site->arguments[i], Use::constant);
 }
 
 // constexpr std::array<double, 2> doubled = scaled(pair, 2);
-bool Collector::constant_result_of(Expr const *initializer) {
+void ConstantObjects::constant_results(Expr const *initializer, bool is_deduced) {
+  if (!initializer || initializer->isTypeDependent()) return;
+  if (auto const *list = dyn_cast<InitListExpr>(initializer->IgnoreImplicit())) {
+    for (Expr const *element : list->inits()) constant_results(element, false);
+    return;
+  }
   auto const *call = dyn_cast<CallExpr>(bare(initializer));
   FunctionDecl const *function = call ? call->getDirectCallee() : nullptr;
-  if (!function || !reals_.in_roots(function) || !call->getType()->isRecordType()) return false;
-  if (!spells_double(call->getType()) || Reals::pattern(function)->getReturnType()->isDependentType()) return false;
-  wrap(call, Use::plain_object);
-  return true;
+  if (is_deduced || !function || !reals_.in_roots(function) || !call->getType()->isRecordType()) return;
+  if (spells_double(call->getType()) && !Reals::pattern(function)->getReturnType()->isDependentType())
+    wrap(call, Use::plain_object);
 }
 
-void Collector::constant_arguments(FunctionDecl const *function, Arguments arguments, bool outside) {
-  if (function_ && is_evaluated(*function_)) return constants_handed(function, arguments);
+void ConstantObjects::constant_arguments(CallSite const *site) {
+  auto const &[expression, place, function, arguments, overloaded] = *site;
+  if (is_constant_evaluated() || !takes_as_declared(function, reals_)) return;
+  bool const outside = is_outside(function, map_, reals_);
   bool const is_deduced = outside && function->getPrimaryTemplate();
   auto const is_constant = [this](Expr const *one) { return names_constant(one, reals_); };
   // A library's template takes either; a class of numbers and the operands of an operator must agree.
@@ -145,7 +197,7 @@ void Collector::constant_arguments(FunctionDecl const *function, Arguments argum
 }
 
 // A call in a template, of functions of the program alone.
-void Collector::constant_arguments(CallExpr const *dependent) {
+void ConstantObjects::dependent_call(CallExpr const *dependent) {
   auto const *names = dyn_cast<OverloadExpr>(dependent->getCallee()->IgnoreParenImpCasts());
   if (!names || dependent->getDirectCallee() || names->getNumDecls() == 0) return;
   bool const is_own = llvm::all_of(names->decls(), [this](NamedDecl const *one) { return reals_.in_roots(one); });
@@ -153,30 +205,40 @@ void Collector::constant_arguments(CallExpr const *dependent) {
     if (is_own) constant_object(argument);
 }
 
-void Collector::constant_initializer_of(VarDecl const *variable) {
+void ConstantObjects::constant_initializer_of(VarDecl const *variable) {
   Expr const *initializer = variable->getInit();
   if (!initializer || variable->isConstexpr() || variable->isCXXForRangeDecl()) return;
   bool const is_deduced = variable->getType()->getContainedAutoType();
   if (!is_deduced || !variable->getType()->isPointerType()) constant_object(initializer);
 }
 
-void Collector::constant_elements(CXXForRangeStmt const *loop) {
+void ConstantObjects::constant_elements(CXXForRangeStmt const *loop) {
   VarDecl const *variable = loop->getLoopVariable();
   if (variable && variable->getType()->getContainedAutoType()) constant_object(loop->getRangeInit());
 }
 
-void Collector::constant_result(ReturnStmt const *statement, FunctionDecl const *function) {
-  QualType const type = function->getDeclaredReturnType();
+void ConstantObjects::constant_result(ReturnStmt const *statement) {
+  if (!at_.function) return;
+  QualType const type = at_.function->getDeclaredReturnType();
   Expr const *value = statement->getRetValue();
   if (value && !(type->getContainedAutoType() && value->getType()->isPointerType())) constant_object(value);
 }
 
 // p = table, p != table + 3
-void Collector::constant_operand(BinaryOperator const *operation) {
+void ConstantObjects::constant_operand(BinaryOperator const *operation) {
   Expr const *left = operation->getLHS(), *right = operation->getRHS();
   if (!left->getType()->isPointerType() || !right->getType()->isPointerType() || operation->isCommaOp()) return;
   bool const first = names_constant(left, reals_), second = names_constant(right, reals_);
   if (first != second) constant_object(first ? left : right);
 }
+
+void ConstantObjects::initializers(FunctionDecl const *function) {
+  auto const *constructor = dyn_cast<CXXConstructorDecl>(function);
+  if (!constructor || !function->doesThisDeclarationHaveABody()) return;
+  for (CXXCtorInitializer const *initializer : constructor->inits())
+    if (initializer->isWritten()) constant_object(initializer->getInit());
+}
+
+void add_constants(SyntaxTable &table) { table.add<ConstantObjects>(); }
 
 } // namespace symreal::rewrite

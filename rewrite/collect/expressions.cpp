@@ -1,5 +1,5 @@
-// Conversions of expressions, and what a scan reports of them.
-#include "rewrite/collect/collector.h"
+// Conversions of expressions, and what a scan reports of them; literals by which a type is deduced; names of functions.
+#include "rewrite/collect/handlers.h"
 #include "rewrite/model/library.h"
 #include "rewrite/source/walk.h"
 
@@ -13,6 +13,15 @@ EnumDecl const *enumeration_of(Expr const *expression) {
   auto const *name = dyn_cast<DeclRefExpr>(expression->IgnoreParenImpCasts());
   auto const *enumerator = name ? dyn_cast<EnumConstantDecl>(name->getDecl()) : nullptr;
   return enumerator ? cast<EnumDecl>(enumerator->getDeclContext())->getCanonicalDecl() : nullptr;
+}
+
+Expr const *written(Expr const *expression) {
+  while (true) {
+    Expr const *inner = expression->IgnoreImplicit();
+    if (auto const *bound = dyn_cast<CXXBindTemporaryExpr>(inner)) inner = bound->getSubExpr();
+    if (inner == expression) return inner;
+    expression = inner;
+  }
 }
 
 // Whether the type is an enumeration in C++. In C, that of ?: is an integer as well.
@@ -46,9 +55,122 @@ bool gives_real_by_macro(Stmt const *part) {
   return part && std::any_of(part->child_begin(), part->child_end(), gives_real_by_macro);
 }
 
+class Conversions : public SyntaxHandler {
+public:
+  explicit Conversions(SyntaxTable &table) : SyntaxHandler(table) {
+    on<IfStmt>(ANYWHERE, &Conversions::condition<IfStmt>);
+    on<WhileStmt>(ANYWHERE, &Conversions::condition<WhileStmt>);
+    on<DoStmt>(ANYWHERE, &Conversions::condition<DoStmt>);
+    on<ForStmt>(ANYWHERE, &Conversions::condition<ForStmt>);
+    on<ConditionalOperator>(ANYWHERE, &Conversions::condition<ConditionalOperator>);
+    on<UnaryOperator>(ANYWHERE, &Conversions::negation);
+    on<BinaryOperator>(ANYWHERE, &Conversions::logical);
+    on<ImplicitCastExpr>(NUMBERS, &Conversions::cast);
+    on<CastExpr>(NUMBERS, &Conversions::conversion);
+    on<BinaryOperator>(NUMBERS, &Conversions::comparison);
+    on<CompoundAssignOperator>(NUMBERS, &Conversions::compound_assignment);
+    on<BinaryOperator>(NUMBERS, &Conversions::converted_operands);
+    on<UnaryOperator>(NUMBERS, &Conversions::converted_operand);
+    on<UserDefinedLiteral>(NUMBERS, &Conversions::complex_literal);
+    on<VarDecl>(ANYWHERE, &Conversions::constant);
+  }
+
+private:
+  // Conditions convert to bool by themselves: no cast is needed in front of the decision.
+  template <class Statement> void condition(Statement const *statement) { decides(statement->getCond()); }
+  void negation(UnaryOperator const *operation) {
+    if (operation->getOpcode() == UO_LNot) decides(operation->getSubExpr());
+  }
+  void logical(BinaryOperator const *operation) {
+    if (!operation->isLogicalOp()) return;
+    decides(operation->getLHS());
+    decides(operation->getRHS());
+  }
+  // Most implicit casts read a variable or take an address.
+  void cast(ImplicitCastExpr const *cast) {
+    if (cast->getCastKind() != CK_LValueToRValue && cast->getCastKind() != CK_ArrayToPointerDecay &&
+        cast->getCastKind() != CK_FunctionToPointerDecay)
+      later([this, cast] { implicit_cast(cast); });
+  }
+  void conversion(CastExpr const *cast);
+  void comparison(BinaryOperator const *comparison);
+  void compound_assignment(CompoundAssignOperator const *assignment);
+  void converted_operands(BinaryOperator const *operation);
+  void converted_operand(UnaryOperator const *operation);
+  void complex_literal(UserDefinedLiteral const *literal);
+  void constant(VarDecl const *variable) {
+    if (at_.passive == constant_variable || at_.passive == static_member) constant_initializer(variable->getInit());
+  }
+
+  void decides(Expr const *condition);
+  void implicit_cast(ImplicitCastExpr const *cast);
+  void converted_number(ImplicitCastExpr const *cast);
+  void constant_initializer(Expr const *initializer);
+  bool has_operator(OverloadedOperatorKind kind) const;
+  bool compares_exactly(Expr const *side, Expr const *constant);
+
+  llvm::SmallPtrSet<Expr const *, 32> conditions_;
+};
+
+class DeducingLiterals : public SyntaxHandler {
+public:
+  explicit DeducingLiterals(SyntaxTable &table) : SyntaxHandler(table) {
+    on<ConditionalOperator>(NUMBERS, &DeducingLiterals::choice);
+    on<VarDecl>(NUMBERS, &DeducingLiterals::deduced_variable);
+    on<FunctionDecl>(NUMBERS, &DeducingLiterals::deduced_result);
+    on<LambdaExpr>(NUMBERS, &DeducingLiterals::deduced_result);
+    on<DecltypeTypeLoc>(NUMBERS, &DeducingLiterals::deduced_type);
+    on<CallSite>(NUMBERS, &DeducingLiterals::lists);
+  }
+
+private:
+  void choice(ConditionalOperator const *choice);
+  void deduced_variable(VarDecl const *variable);
+  void deduced_result(FunctionDecl const *function) {
+    if (function->doesThisDeclarationHaveABody() && function->getDeclaredReturnType()->getContainedAutoType())
+      deduced_return(function);
+  }
+  void deduced_result(LambdaExpr const *lambda) {
+    if (!lambda->hasExplicitResultType()) deduced_return(lambda->getCallOperator());
+  }
+  void deduced_type(DecltypeTypeLoc type) { deduced_elements(type.getUnderlyingExpr()); }
+  void lists(CallSite const *site);
+
+  void deduced_return(FunctionDecl const *function);
+  void deduced_elements(Expr const *initializer);
+};
+
+class NamesOfFunctions : public SyntaxHandler {
+public:
+  explicit NamesOfFunctions(SyntaxTable &table) : SyntaxHandler(table) {
+    on<CallExpr>(NUMBERS, &NamesOfFunctions::call);
+    on<DeclRefExpr>(NUMBERS, &NamesOfFunctions::function_value);
+    on<DeclRefExpr>(NUMBERS, &NamesOfFunctions::builtin);
+    on<CXXMemberCallExpr>(NUMBERS, &NamesOfFunctions::removed_member);
+  }
+
+private:
+  void call(CallExpr const *call) {
+    if (call->getDirectCallee()) callees_.insert(call->getCallee()->IgnoreParenImpCasts());
+  }
+  void function_value(DeclRefExpr const *name);
+  void builtin(DeclRefExpr const *name);
+  void removed_member(CXXMemberCallExpr const *call);
+
+  llvm::SmallPtrSet<Expr const *, 32> callees_;
+};
+
 } // namespace
 
-void Collector::converted_number(ImplicitCastExpr const *cast, bool decides) {
+void Conversions::decides(Expr const *condition) {
+  if (!condition) return;
+  if (auto const *full = dyn_cast<FullExpr>(condition)) condition = full->getSubExpr();
+  while (auto const *parens = dyn_cast<ParenExpr>(condition)) condition = parens->getSubExpr();
+  conditions_.insert(condition);
+}
+
+void Conversions::converted_number(ImplicitCastExpr const *cast) {
+  bool const decides = conditions_.contains(cast);
   Expr const *from = cast->getSubExpr();
   QualType const to = cast->getType();
   if (auto const *first = conversion_by_class(from); first && reals_.is_real(from)) // two steps
@@ -56,30 +178,26 @@ void Collector::converted_number(ImplicitCastExpr const *cast, bool decides) {
   if (cast->isPartOfExplicitCast() || decides || !Reals::is_double(from->getType())) return;
   if (!reals_.is_real(from) && !gives_real_by_macro(from)) return;
   later([this, cast, from, to] {
-    if (compared_exactly_.contains(cast)) return;
+    if (all_.settled.contains(cast)) return;
     if (to->isSpecificBuiltinType(BuiltinType::LongDouble)) // an operand, perhaps, with no context of its own
       return wrap(from, Use::conversion, spelled(to));
     convert(from, Use::conversion, reals_.keeps_integer(cast) ? "SYMREAL_REAL_INT(" + spelled(to) + ")" : spelled(to));
   });
 }
 
-void Collector::implicit_cast(ImplicitCastExpr const *cast, bool decides) {
+void Conversions::implicit_cast(ImplicitCastExpr const *cast) {
   Expr const *from = cast->getSubExpr();
   if (cast->isTypeDependent() || from->isTypeDependent()) return;
   QualType const to = cast->getType();
   switch (cast->getCastKind()) {
   case CK_FloatingToIntegral:
   case CK_FloatingToBoolean:
-  case CK_FloatingCast: converted_number(cast, decides); return;
-  case CK_ConstructorConversion:
-    if (auto const *construction = dyn_cast<CXXConstructExpr>(from->IgnoreImplicit()))
-      converting_construction(construction);
-    return;
+  case CK_FloatingCast: converted_number(cast); return;
   case CK_BitCast: // to another type, or to one that is less const
   case CK_NoOp:
     if (!cast->isPartOfExplicitCast() && is_pointer_of_c(cast))
       later([this, cast, from] {
-        if (!compared_pointers_.contains(cast)) convert(from, Use::cast, spelled(cast->getType()));
+        if (!all_.settled.contains(cast)) convert(from, Use::cast, spelled(cast->getType()));
       });
     return;
   case CK_IntegralToFloating: // an enumerator among numbers: a class has no built-in promotion
@@ -87,7 +205,7 @@ void Collector::implicit_cast(ImplicitCastExpr const *cast, bool decides) {
       return wrap(from, Use::conversion, spelled(first->getType())); // two steps, of which the language takes one
     if (Reals::is_double(to) && !cast->isPartOfExplicitCast() && is_enumeration(from))
       later([this, cast, from] {
-        if (!promoted_.contains(cast)) wrap(from->IgnoreImpCasts(), Use::conversion, spelled(counted_as(from)));
+        if (!all_.settled.contains(cast)) wrap(from->IgnoreImpCasts(), Use::conversion, spelled(counted_as(from)));
       });
     return;
   case CK_IntegralCast:
@@ -102,7 +220,7 @@ void Collector::implicit_cast(ImplicitCastExpr const *cast, bool decides) {
 
 // The operator is built in for double. Those of REAL are found if an operand is one; with further operators of the
 // program a plain number would be ambiguous.
-void Collector::converted_operands(BinaryOperator const *operation, DeclContext const *from) {
+void Conversions::converted_operands(BinaryOperator const *operation) {
   Expr const *const left = operation->getLHS(), *const right = operation->getRHS();
   bool const is_known = !operation->isTypeDependent() && !left->isTypeDependent() && !right->isTypeDependent();
   if (!is_known || !map_.language().CPlusPlus || !Reals::is_double(left->getType()) ||
@@ -114,12 +232,12 @@ void Collector::converted_operands(BinaryOperator const *operation, DeclContext 
     if (by_class && is_real && (conversion_by_class(other) || !reals_.is_real(other)))
       wrap(operand, Use::conversion, spelled(operand->getType()));
     else if (is_plain && reals_.is_real(other) && !reals_.is_symbolic_integer(operand) &&
-             has_operator(BinaryOperator::getOverloadedOperator(operation->getOpcode()), from))
+             has_operator(BinaryOperator::getOverloadedOperator(operation->getOpcode())))
       wrap(operand->IgnoreImpCasts(), Use::literal);
   }
 }
 
-void Collector::converted_operand(UnaryOperator const *operation) {
+void Conversions::converted_operand(UnaryOperator const *operation) {
   Expr const *const operand = operation->getSubExpr();
   if (!operation->isTypeDependent() && Reals::is_double(operand->getType()) && reals_.is_real(operand) &&
       conversion_by_class(operand))
@@ -127,7 +245,7 @@ void Collector::converted_operand(UnaryOperator const *operation) {
 }
 
 // 2.0i is of the library's class of doubles, which does not go with that of REALs.
-void Collector::complex_literal(UserDefinedLiteral const *literal) {
+void Conversions::complex_literal(UserDefinedLiteral const *literal) {
   if (literal->isTypeDependent() || reals_.in_roots(literal->getDirectCallee()) ||
       !map_.in_roots(literal->getBeginLoc()))
     return;
@@ -137,7 +255,7 @@ void Collector::complex_literal(UserDefinedLiteral const *literal) {
 }
 
 // C++20, which symbolic mode is, has functions in place of std::allocator<T>::construct and destroy.
-void Collector::removed_member(CXXMemberCallExpr const *call) {
+void NamesOfFunctions::removed_member(CXXMemberCallExpr const *call) {
   auto const *callee = dyn_cast<MemberExpr>(call->getCallee());
   CXXMethodDecl const *method = call->getMethodDecl();
   if (map_.language().CPlusPlus20 || !callee || !method || !method->getParent()->isInStdNamespace() ||
@@ -152,7 +270,8 @@ void Collector::removed_member(CXXMemberCallExpr const *call) {
 }
 
 // Whether unqualified look-up finds an operator of the program of this kind.
-bool Collector::has_operator(OverloadedOperatorKind kind, DeclContext const *from) const {
+bool Conversions::has_operator(OverloadedOperatorKind kind) const {
+  DeclContext const *const from = at_.function ? at_.function->getDeclContext() : nullptr;
   DeclarationName const name = context_.DeclarationNames.getCXXOperatorName(kind);
   for (DeclContext const *at = from ? from : context_.getTranslationUnitDecl(); at; at = at->getParent()) {
     if (!at->isFileContext()) continue;
@@ -163,7 +282,7 @@ bool Collector::has_operator(OverloadedOperatorKind kind, DeclContext const *fro
 }
 
 // C converts pointers that C++ does not.
-bool Collector::is_pointer_of_c(ImplicitCastExpr const *cast) const {
+bool SyntaxHandler::is_pointer_of_c(ImplicitCastExpr const *cast) const {
   QualType const from = cast->getSubExpr()->getType()->getPointeeType(), to = cast->getType()->getPointeeType();
   if (map_.language().CPlusPlus || from.isNull() || to.isNull() || !cast->getType()->isPointerType()) return false;
   if (from->isFunctionType() != to->isFunctionType()) return true;
@@ -171,12 +290,8 @@ bool Collector::is_pointer_of_c(ImplicitCastExpr const *cast) const {
   return !to->isVoidType() && !context_.hasSameUnqualifiedType(from, to);
 }
 
-void Collector::explicit_cast(ExplicitCastExpr const *cast) {
-  if (!cast->isTypeDependent() && !cast->getSubExpr()->isTypeDependent()) reinterpretation(cast);
-}
-
 // sin as a value: which of the overloads in the symbolic program, its type says.
-void Collector::function_value(DeclRefExpr const *name) {
+void NamesOfFunctions::function_value(DeclRefExpr const *name) {
   auto const *function = dyn_cast<FunctionDecl>(name->getDecl());
   if (!function || !reals_.is_math(function) || function->isVariadic()) return;
   auto const is_kept = [](QualType type) { // the overload has a number there, or the original's type
@@ -201,7 +316,7 @@ void Collector::function_value(DeclRefExpr const *name) {
 }
 
 // __builtin_sqrt takes a double and nothing else.
-void Collector::builtin(DeclRefExpr const *name) {
+void NamesOfFunctions::builtin(DeclRefExpr const *name) {
   auto const *function = dyn_cast<FunctionDecl>(name->getDecl());
   if (!function || function->getBuiltinID() == 0 || !map_.in_roots(name->getBeginLoc())) return;
   llvm::StringRef known = function->getName();
@@ -211,7 +326,7 @@ void Collector::builtin(DeclRefExpr const *name) {
     facts_.types.insert({*span, "SYMREAL_REAL_BUILTIN(" + known.str() + ")"});
 }
 
-void Collector::compound_assignment(CompoundAssignOperator const *assignment) {
+void Conversions::compound_assignment(CompoundAssignOperator const *assignment) {
   Expr const *left = assignment->getLHS();
   if (assignment->isTypeDependent()) return;
   if (!map_.language().CPlusPlus && left->getType()->isEnumeralType()) wrap(left, Use::enumeration);
@@ -231,7 +346,7 @@ void Collector::compound_assignment(CompoundAssignOperator const *assignment) {
     facts_.conversions.insert({*span, left->getType().getUnqualifiedType().getAsString(map_.language()), true});
 }
 
-void Collector::choice(ConditionalOperator const *choice) {
+void DeducingLiterals::choice(ConditionalOperator const *choice) {
   if (choice->isTypeDependent() || !Reals::is_double(choice->getType())) return;
   // A macro's body is one text for all of its uses, and some may be on integers.
   if (!map_.sources().getSLocEntry(map_.frame(choice->getQuestionLoc())).isFile()) return;
@@ -243,21 +358,20 @@ void Collector::choice(ConditionalOperator const *choice) {
 }
 
 // constexpr double k = half(2.): the variable stays double, unlike the result of the rewritten function.
-void Collector::constant_initializer(Expr const *initializer, bool is_deduced) {
+void Conversions::constant_initializer(Expr const *initializer) {
   if (!initializer || initializer->isTypeDependent()) return;
-  if (!is_deduced && constant_result_of(initializer)) return;
   if (auto const *list = dyn_cast<InitListExpr>(initializer->IgnoreImplicit())) {
     for (Expr const *element : list->inits()) constant_initializer(element);
     return;
   }
   if (auto const *cast = dyn_cast<ImplicitCastExpr>(initializer); cast && cast->getCastKind() != CK_LValueToRValue)
-    return constant_initializer(cast->getSubExpr(), is_deduced);
+    return constant_initializer(cast->getSubExpr());
   if (Reals::is_double(initializer->getType()) && (reals_.is_real(initializer) || gives_real_by_macro(initializer)))
     wrap(initializer, Use::value);
 }
 
 // `auto s = 0.0`: the literal determines the type.
-void Collector::deduced_variable(VarDecl const *variable) {
+void DeducingLiterals::deduced_variable(VarDecl const *variable) {
   TypeSourceInfo const *written = variable->getTypeSourceInfo();
   Expr const *initializer = variable->getInit();
   if (!written || !initializer || variable->isConstexpr() || variable->isCXXForRangeDecl()) return;
@@ -273,13 +387,24 @@ void Collector::deduced_variable(VarDecl const *variable) {
   if (is_plain_double(value)) wrap(value->IgnoreImpCasts(), Use::literal);
 }
 
-void Collector::deduced_return(FunctionDecl const *function) {
+void DeducingLiterals::deduced_return(FunctionDecl const *function) {
   for (ReturnStmt const *statement : returns_of(function))
     if (Expr const *value = statement->getRetValue(); value && is_plain_double(value))
       wrap(value->IgnoreImpCasts(), Use::literal);
 }
 
-void Collector::deduced_elements(Expr const *initializer) {
+void DeducingLiterals::lists(CallSite const *site) {
+  if (!takes_as_declared(site->function, reals_)) return;
+  for (Expr const *argument : site->arguments)
+    if (auto const *list = dyn_cast<CXXStdInitializerListExpr>(written(argument));
+        list && !argument->isTypeDependent()) {
+      auto const *elements = dyn_cast<InitListExpr>(list->getSubExpr()->IgnoreImplicit());
+      bool const deduced = site->function->getPrimaryTemplate() != nullptr;
+      if (elements && (deduced || elements->getNumInits() <= 2)) deduced_elements(elements);
+    }
+}
+
+void DeducingLiterals::deduced_elements(Expr const *initializer) {
   if (!initializer) return;
   initializer = initializer->IgnoreImplicit();
   if (auto const *list = dyn_cast<InitListExpr>(initializer))
@@ -295,20 +420,20 @@ void Collector::deduced_elements(Expr const *initializer) {
     wrap(initializer, Use::literal);
 }
 
-void Collector::conversion(CastExpr const *cast) {
+void Conversions::conversion(CastExpr const *cast) {
   Expr const *from = cast->getSubExpr();
   bool const to_integer = cast->getCastKind() == CK_FloatingToIntegral;
   if ((!to_integer && cast->getCastKind() != CK_FloatingCast) || cast->isTypeDependent() || !reals_.is_real(from))
     return;
   later([this, cast, from, to_integer] {
     std::optional<Span> const span = map_.range(from->getSourceRange());
-    if (span && !compared_exactly_.contains(cast))
+    if (span && !all_.settled.contains(cast))
       facts_.conversions.insert({*span, cast->getType().getUnqualifiedType().getAsString(map_.language()), to_integer});
   });
 }
 
 // x == 0.L: the same as in double where the constant is a double.
-bool Collector::compares_exactly(Expr const *side, Expr const *constant) {
+bool Conversions::compares_exactly(Expr const *side, Expr const *constant) {
   auto const *cast = dyn_cast<ImplicitCastExpr>(side->IgnoreParens());
   if (!cast || !cast->getType()->isSpecificBuiltinType(BuiltinType::LongDouble)) return false;
   llvm::APFloat value(0.);
@@ -316,17 +441,17 @@ bool Collector::compares_exactly(Expr const *side, Expr const *constant) {
   bool is_rounded = false;
   value.convert(llvm::APFloat::IEEEdouble(), llvm::APFloat::rmNearestTiesToEven, &is_rounded);
   if (is_rounded) return false;
-  compared_exactly_.insert(cast);
+  all_.settled.insert(cast);
   wrap(constant->IgnoreImpCasts(), Use::literal);
   return true;
 }
 
-void Collector::comparison(BinaryOperator const *comparison) {
-  if (comparison->isTypeDependent()) return;
+void Conversions::comparison(BinaryOperator const *comparison) {
+  if (!comparison->isComparisonOp() || comparison->isTypeDependent()) return;
   Expr const *left = comparison->getLHS(), *right = comparison->getRHS();
   for (Expr const *side : {left, right})
     if (auto const *cast = dyn_cast<ImplicitCastExpr>(side); cast && cast->getType()->isPointerType()) {
-      compared_pointers_.insert(cast);
+      all_.settled.insert(cast);
       // C++ compares with void *, and const with non-const pointers. An operand lacks a context that implies its type.
       QualType const from = cast->getSubExpr()->getType(), to = cast->getType();
       if (is_pointer_of_c(cast) && !from->isVoidPointerType() &&
@@ -338,5 +463,8 @@ void Collector::comparison(BinaryOperator const *comparison) {
     return;
   if (std::optional<Span> const span = map_.token(comparison->getOperatorLoc())) facts_.comparisons.insert(*span);
 }
+void add_conversions(SyntaxTable &table) { table.add<Conversions>(); }
+void add_literals(SyntaxTable &table) { table.add<DeducingLiterals>(); }
+void add_names_of_functions(SyntaxTable &table) { table.add<NamesOfFunctions>(); }
 
 } // namespace symreal::rewrite

@@ -1,6 +1,7 @@
 // Whole objects that may outlive a kernel and that are passed to code that is not rewritten: its reads and changes are
 // noted at the call.
-#include "rewrite/collect/collector.h"
+#include "rewrite/collect/handlers.h"
+#include "rewrite/collect/objects.h"
 #include "rewrite/model/library.h"
 
 #include <llvm/ADT/StringSwitch.h>
@@ -101,279 +102,235 @@ CXXMemberCallExpr const *iterator(Expr const *argument) {
   return dyn_cast<CXXMemberCallExpr>(argument);
 }
 
-bool is_parameter(Expr const *expression) {
-  auto const *reference = dyn_cast<DeclRefExpr>(expression);
-  return reference && isa<ParmVarDecl>(reference->getDecl());
-}
-
 bool is_same_variable(Expr const *one, Expr const *other) {
   auto const *first = dyn_cast<DeclRefExpr>(spelled_expression(one));
   auto const *second = dyn_cast<DeclRefExpr>(spelled_expression(other));
   return first && second && first->getDecl() == second->getDecl();
 }
 
-} // namespace
+class StateOfCalls : public ObjectUses {
+public:
+  explicit StateOfCalls(SyntaxTable &table) : ObjectUses(table) {
+    on<CallExpr>(RUNNING, &StateOfCalls::state_of_call);
+    on<CXXConstructExpr>(RUNNING, &StateOfCalls::state_of_construction);
+    on<InitListExpr>(RUNNING, &StateOfCalls::element);
+    on<CXXNewExpr>(RUNNING, &StateOfCalls::made_in_place);
+  }
 
-// An object, array or view as a whole.
-void Collector::object(Expr const *expression, Use use) {
-  expression = spelled_expression(expression);
-  QualType const type = expression->getType();
-  if (expression->isTypeDependent() || type->isPointerType() || Reals::is_double(type)) return;
-  if (!expression->isGLValue() && !Storage::is_view(type)) return;
-  if (!type->isRecordType() && !type->isArrayType()) return;
-  // Text is checked where it is read; an argument such as a function is the caller's choice, like a count.
-  if (use == Use::read && (is_string(type) || (is_parameter(expression) && ScalarState::is_opaque(type)))) return;
-  if (use == Use::read && is_fixed(expression) && !reals_.carries_real(type)) return;
-  if (use == Use::read && scalars_.is_unknown(type)) decides(expression);
-  bool const is_pointer = ScalarState::is_smart_pointer(type);
-  if ((is_pointer || holds_state(type) || (use != Use::read && is_value(type))) && may_outlive(expression))
-    note(expression, use);
-  else if (use == Use::read)
-    leads(expression);
-}
+private:
+  void element(InitListExpr const *list) {
+    for (Expr const *element : converted_elements(list))
+      if (auto const *made = element ? dyn_cast<CXXConstructExpr>(element->IgnoreImplicit()) : nullptr)
+        state_of_construction(made);
+  }
 
-// Whether an object holds a value besides its numbers and elements.
-bool Collector::is_value(QualType type) const {
-  return ScalarState::has_value_of_its_own(type) || scalars_.is_unknown(type);
-}
+  // Notes that the object's class decides which function a virtual call reaches.
+  void dispatch(CXXMemberCallExpr const *call) {
+    CXXMethodDecl const *method = call->getMethodDecl();
+    auto const *callee = dyn_cast<MemberExpr>(call->getCallee()->IgnoreParens());
+    if (!method || !callee || !method->isVirtual() || callee->hasQualifier()) return;
+    if (method->hasAttr<FinalAttr>() || method->getParent()->isEffectivelyFinal()) return;
+    decides_by_pointer(callee->getBase());
+  }
 
-// Notes a change whose result depends on the old value.
-void Collector::changed_value(Expr const *expression) {
-  decides(expression);
-  object(expression, Use::written);
-}
+  // Whether a range begins there, and ends at the next argument; not where the pointers themselves are taken, to swap
+  // them.
+  bool begins_range(Arguments arguments, std::size_t first) const {
+    if (arguments[first]->isGLValue() || first + 1 == arguments.size() || arguments[first + 1]->isTypeDependent())
+      return false;
+    return context_.hasSameUnqualifiedType(arguments[first]->getType(), arguments[first + 1]->getType());
+  }
 
-// An object through which others are reached, or a copy of it: a view, an iterator, a std::reference_wrapper, a
-// structure of pointers.
-void Collector::leads(Expr const *expression) {
-  expression = spelled_expression(expression);
-  QualType const type = expression->getType();
-  if (expression->isTypeDependent() || !expression->isGLValue() || !type->isRecordType()) return;
-  auto const *operation = dyn_cast<CXXOperatorCallExpr>(expression);
-  if (operation && operation->isInfixBinaryOp()) return; // a stream, or Eigen's comma: the call's own result
-  if (Storage::holds_pointer(type) && !is_fixed(expression) && may_outlive(expression)) wrap(expression, Use::leads);
-}
+  void range(Arguments arguments, std::size_t first, Use begin, Use end) {
+    if (is_fixed(arguments[first]) && !reals_.carries_real(Storage::base(arguments[first])->getType())) return;
+    note(arguments[first]->IgnoreImpCasts(), begin);
+    note(arguments[first + 1]->IgnoreImpCasts(), end, arguments[first]->IgnoreImpCasts());
+  }
 
-// Notes that text, a pointer to an object, or a container decides the kernel's path. An argument is the caller's
-// choice.
-void Collector::decides(Expr const *expression) {
-  expression = spelled_expression(expression);
-  if (auto const *copy = dyn_cast<CXXConstructExpr>(expression); // a std::string_view by value
-      copy && copy->getNumArgs() == 1 && copy->getConstructor()->isCopyOrMoveConstructor())
-    expression = spelled_expression(copy->getArg(0));
-  if (expression->isTypeDependent() || !expression->isGLValue() || is_parameter(expression)) return;
-  if (!is_fixed(expression) && may_outlive(expression)) note(expression, Use::decides);
-}
-
-// Notes that the object's class decides which function a virtual call reaches.
-void Collector::dispatch(CXXMemberCallExpr const *call) {
-  CXXMethodDecl const *method = call->getMethodDecl();
-  auto const *callee = dyn_cast<MemberExpr>(call->getCallee()->IgnoreParens());
-  if (!method || !callee || !method->isVirtual() || callee->hasQualifier()) return;
-  if (method->hasAttr<FinalAttr>() || method->getParent()->isEffectivelyFinal()) return;
-  decides_by_pointer(callee->getBase());
-}
-
-// Notes that the pointer to the object, if any, decides the kernel's path.
-void Collector::decides_by_pointer(Expr const *object) {
-  if (object->isTypeDependent()) return;
-  object = spelled_expression(object);
-  if (auto const *star = dyn_cast<UnaryOperator>(object); star && star->getOpcode() == UO_Deref)
-    object = spelled_expression(star->getSubExpr());
-  else if (auto const *step = dyn_cast<CXXOperatorCallExpr>(object);
-           step && (step->getOperator() == OO_Arrow || step->getOperator() == OO_Star))
-    object = spelled_expression(step->getArg(0));
-  else if (!object->getType()->isPointerType())
-    return;
-  decides(object);
-}
-
-// Whether a range begins there, and ends at the next argument; not where the pointers themselves are taken, to swap
-// them.
-bool Collector::begins_range(Arguments arguments, std::size_t first) const {
-  if (arguments[first]->isGLValue() || first + 1 == arguments.size() || arguments[first + 1]->isTypeDependent())
-    return false;
-  return context_.hasSameUnqualifiedType(arguments[first]->getType(), arguments[first + 1]->getType());
-}
-
-void Collector::range(Arguments arguments, std::size_t first, Use begin, Use end) {
-  if (is_fixed(arguments[first]) && !reals_.carries_real(Storage::base(arguments[first])->getType())) return;
-  note(arguments[first]->IgnoreImpCasts(), begin);
-  note(arguments[first + 1]->IgnoreImpCasts(), end, arguments[first]->IgnoreImpCasts());
-}
-
-// A container or a value that a library looks into as a whole; text that is printed decides nothing.
-void Collector::looked_into_whole(FunctionDecl const *function, Expr const *argument) {
-  bool const prints = function->getOverloadedOperator() == OO_LessLess;
-  argument = spelled_expression(argument);
-  if (auto const *address = dyn_cast<UnaryOperator>(argument); address && address->getOpcode() == UO_AddrOf)
-    argument = spelled_expression(address->getSubExpr()); // std::get_if<int>(&one)
-  QualType const type = argument->getType();
-  if (argument->isTypeDependent() || prints) return;
-  bool const is_text =
-      is_string(type) || (type->isArrayType() && is_character(type->getAsArrayTypeUnsafe()->getElementType()));
-  auto const *method = dyn_cast<CXXMethodDecl>(function);
-  bool const is_standard = method ? method->getParent()->isInStdNamespace() : function->isInStdNamespace();
-  if ((is_text && is_standard) || (type->isRecordType() && (is_value(type) || counts(type)))) decides(argument);
-}
-
-void Collector::library_arguments(FunctionDecl const *function, Arguments arguments) {
-  for (std::size_t i = 0; i < arguments.size(); ++i) {
-    Expr const *argument = arguments[i];
-    if (argument->isTypeDependent()) continue;
+  // A container or a value that a library looks into as a whole; text that is printed decides nothing.
+  void looked_into_whole(FunctionDecl const *function, Expr const *argument) {
+    bool const prints = function->getOverloadedOperator() == OO_LessLess;
+    argument = spelled_expression(argument);
+    if (auto const *address = dyn_cast<UnaryOperator>(argument); address && address->getOpcode() == UO_AddrOf)
+      argument = spelled_expression(address->getSubExpr()); // std::get_if<int>(&one)
     QualType const type = argument->getType();
-    looked_into_whole(function, argument);
-    if (type->isPointerType() && i == output_of(function, arguments.size())) target(argument);
-    if (auto const *call = iterator(argument); call && i == output_of(function, arguments.size())) {
-      object(call->getImplicitObjectArgument(), Use::changed);
-      iterators_.insert(call);
-    } else if (call && only_writes(function)) {
-      if (!asks_caller(function)) object(call->getImplicitObjectArgument(), Use::written);
-      iterators_.insert(call);
-    } else if (only_writes(function) && type->isPointerType() && holds_state(type->getPointeeType())) {
-      if (asks_caller(function)) continue;
-      if (begins_range(arguments, i))
-        range(arguments, i++, Use::fill_begin, Use::fill_end);
-      else
-        target(argument); // std::fill_n: its first
-    } else if (type->isPointerType() && holds_state(type->getPointeeType()) && !is_character(type->getPointeeType())) {
-      if (begins_range(arguments, i)) range(arguments, i++, Use::range_begin, Use::range_end);
-    } else if (argument->isGLValue() && Reals::is_double(type)) {
-      if (reals_.is_real(argument) && may_outlive(argument)) note(argument, Use::read);
-    } else if (argument->isGLValue() && ScalarState::is_scalar(type)) {
-      if (!isa<MaterializeTemporaryExpr>(argument->IgnoreParens())) scalar(argument->IgnoreParenImpCasts(), Use::read);
-    } else {
-      object(argument, Use::read);
-      if (takes_over(function)) object(argument, Use::changed);
+    if (argument->isTypeDependent() || prints) return;
+    bool const is_text =
+        is_string(type) || (type->isArrayType() && is_character(type->getAsArrayTypeUnsafe()->getElementType()));
+    auto const *method = dyn_cast<CXXMethodDecl>(function);
+    bool const is_standard = method ? method->getParent()->isInStdNamespace() : function->isInStdNamespace();
+    if ((is_text && is_standard) || (type->isRecordType() && (is_value(type) || counts(type)))) decides(argument);
+  }
+
+  void library_arguments(FunctionDecl const *function, Arguments arguments) {
+    for (std::size_t i = 0; i < arguments.size(); ++i) {
+      Expr const *argument = arguments[i];
+      if (argument->isTypeDependent()) continue;
+      QualType const type = argument->getType();
+      looked_into_whole(function, argument);
+      if (type->isPointerType() && i == output_of(function, arguments.size())) target(argument);
+      if (auto const *call = iterator(argument); call && i == output_of(function, arguments.size())) {
+        object(call->getImplicitObjectArgument(), Use::changed);
+        iterators_.insert(call);
+      } else if (call && only_writes(function)) {
+        if (!asks_caller(function)) object(call->getImplicitObjectArgument(), Use::written);
+        iterators_.insert(call);
+      } else if (only_writes(function) && type->isPointerType() && holds_state(type->getPointeeType())) {
+        if (asks_caller(function)) continue;
+        if (begins_range(arguments, i))
+          range(arguments, i++, Use::fill_begin, Use::fill_end);
+        else
+          target(argument); // std::fill_n: its first
+      } else if (type->isPointerType() && holds_state(type->getPointeeType()) &&
+                 !is_character(type->getPointeeType())) {
+        if (begins_range(arguments, i)) range(arguments, i++, Use::range_begin, Use::range_end);
+      } else if (argument->isGLValue() && Reals::is_double(type)) {
+        if (reals_.is_real(argument) && may_outlive(argument)) note(argument, Use::read);
+      } else if (argument->isGLValue() && ScalarState::is_scalar(type)) {
+        if (!isa<MaterializeTemporaryExpr>(argument->IgnoreParens()))
+          scalar(argument->IgnoreParenImpCasts(), Use::read);
+      } else {
+        object(argument, Use::read);
+        if (takes_over(function)) object(argument, Use::changed);
+      }
     }
   }
-}
 
-void Collector::library_object(CallExpr const *call, FunctionDecl const *function, Expr const *object_argument) {
-  auto const *method = dyn_cast<CXXMethodDecl>(function);
-  if (!method || method->isStatic()) return;
-  Effect const what = effect(method);
-  if (is_value(object_argument->getType()) && what != Effect::overwrites && changes_value(method))
-    return changed_value(object_argument);
-  bool const gives = !call->getType()->isVoidType();
-  bool const is_viewed = is_string(object_argument->getType()) && isa<CXXConversionDecl>(method);
-  if (is_viewed && !printed_.contains(call)) decides(object_argument); // text as a std::string_view
-  if (compares_keys(method) || (gives && scalars_.is_unknown(object_argument->getType()))) decides(object_argument);
-  if (asks_count(method)) decides(object_argument);
-  if (what == Effect::nothing) return;
-  if (takes_over(function)) object(object_argument, Use::changed);
-  if (what == Effect::overwrites || what == Effect::changes) {
-    object(object_argument, what == Effect::changes ? Use::changed : Use::written);
-    return;
+  void library_object(CallExpr const *call, FunctionDecl const *function, Expr const *object_argument) {
+    auto const *method = dyn_cast<CXXMethodDecl>(function);
+    if (!method || method->isStatic()) return;
+    Effect const what = effect(method);
+    if (is_value(object_argument->getType()) && what != Effect::overwrites && changes_value(method))
+      return changed_value(object_argument);
+    bool const gives = !call->getType()->isVoidType();
+    bool const is_viewed = is_string(object_argument->getType()) && isa<CXXConversionDecl>(method);
+    if (is_viewed && !printed_.contains(call)) decides(object_argument); // text as a std::string_view
+    if (compares_keys(method) || (gives && scalars_.is_unknown(object_argument->getType()))) decides(object_argument);
+    if (asks_count(method)) decides(object_argument);
+    if (what == Effect::nothing) return;
+    if (takes_over(function)) object(object_argument, Use::changed);
+    if (what == Effect::overwrites || what == Effect::changes) {
+      object(object_argument, what == Effect::changes ? Use::changed : Use::written);
+      return;
+    }
+    // An element or a view is checked where it is used.
+    QualType const type = call->getType();
+    bool const is_element = call->isGLValue() && reals_.carries_real(type);
+    if (is_element || (Storage::holds_pointer(type) && !(call->isGLValue() && type->isPointerType())))
+      leads(object_argument);
+    if (is_element || Storage::is_view(type)) return;
+    object(object_argument, Use::read);
   }
-  // An element or a view is checked where it is used.
-  QualType const type = call->getType();
-  bool const is_element = call->isGLValue() && reals_.carries_real(type);
-  if (is_element || (Storage::holds_pointer(type) && !(call->isGLValue() && type->isPointerType())))
-    leads(object_argument);
-  if (is_element || Storage::is_view(type)) return;
-  object(object_argument, Use::read);
-}
 
-void Collector::operator_call(CXXOperatorCallExpr const *call, FunctionDecl const *function) {
-  Expr const *left = call->getArg(0);
-  std::vector<Expr const *> const rest(call->arg_begin() + 1, call->arg_end());
-  switch (call->getOperator()) {
-  case OO_Equal: {
-    auto const *inner = dyn_cast<CXXMemberCallExpr>(spelled_expression(left));
-    bool const noalias = inner && inner->getMethodDecl() && name_of(inner->getMethodDecl()) == "noalias";
-    object(noalias ? inner->getImplicitObjectArgument() : left, Use::written);
-    break;
+  void operator_call(CXXOperatorCallExpr const *call, FunctionDecl const *function) {
+    Expr const *left = call->getArg(0);
+    std::vector<Expr const *> const rest(call->arg_begin() + 1, call->arg_end());
+    switch (call->getOperator()) {
+    case OO_Equal: {
+      auto const *inner = dyn_cast<CXXMemberCallExpr>(spelled_expression(left));
+      bool const noalias = inner && inner->getMethodDecl() && name_of(inner->getMethodDecl()) == "noalias";
+      object(noalias ? inner->getImplicitObjectArgument() : left, Use::written);
+      break;
+    }
+    case OO_LessLess: // the comma initialiser of Eigen; a stream holds no numbers
+      object(left, Use::written);
+      for (Expr const *shown : rest) printed_.insert(spelled_expression(shown));
+      break;
+    case OO_Arrow: leads(left); break; // a smart pointer: the member behind it is checked at its use
+    case OO_PlusEqual:
+    case OO_MinusEqual:
+    case OO_StarEqual:
+    case OO_SlashEqual:
+      if (is_value(left->getType())) return changed_value(left);
+      object(left, Use::read);
+      break;
+    default:
+      if (isa<CXXMethodDecl>(function))
+        library_object(call, function, left);
+      else
+        library_arguments(function, left);
+    }
+    library_arguments(function, rest);
   }
-  case OO_LessLess: // the comma initialiser of Eigen; a stream holds no numbers
-    object(left, Use::written);
-    for (Expr const *shown : rest) printed_.insert(spelled_expression(shown));
-    break;
-  case OO_Arrow: leads(left); break; // a smart pointer: the member behind it is checked at its use
-  case OO_PlusEqual:
-  case OO_MinusEqual:
-  case OO_StarEqual:
-  case OO_SlashEqual:
-    if (is_value(left->getType())) return changed_value(left);
-    object(left, Use::read);
-    break;
-  default:
-    if (isa<CXXMethodDecl>(function))
-      library_object(call, function, left);
-    else
-      library_arguments(function, left);
+
+  void state_of_call(CallExpr const *call) {
+    if (auto const *member = dyn_cast<CXXMemberCallExpr>(call); member && !call->isTypeDependent()) dispatch(member);
+    FunctionDecl const *function = call->getDirectCallee();
+    if (!function || call->isTypeDependent()) return;
+    if (iterators_.contains(call)) return;
+    // A rewritten function is checked at its definition.
+    bool const rewritten = reals_.in_roots(Reals::pattern(function)) && function->getBuiltinID() == 0;
+    if (rewritten && !function->isDefaulted()) return;
+    if (moved_bytes(call, function)) return;
+    if (!isa<CXXMemberCallExpr, CXXOperatorCallExpr>(call) && !function->isTemplateInstantiation())
+      targets(call, function);
+    if (function->isInStdNamespace() && name_of(function) == "construct_at") note(call, Use::target);
+    if (auto const *operation = dyn_cast<CXXOperatorCallExpr>(call)) {
+      operator_call(operation, function);
+      return;
+    }
+    if (auto const *member = dyn_cast<CXXMemberCallExpr>(call)) {
+      library_object(call, function, member->getImplicitObjectArgument());
+      if (effect(member->getMethodDecl()) == Effect::changes) // v.erase(v.begin())
+        for (Expr const *argument : call->arguments())
+          if (auto const *at = iterator(argument);
+              at && is_same_variable(at->getImplicitObjectArgument(), member->getImplicitObjectArgument()))
+            iterators_.insert(at);
+    }
+    library_arguments(function, {call->getArgs(), call->getNumArgs()});
   }
-  library_arguments(function, rest);
-}
 
-void Collector::state_of_call(CallExpr const *call) {
-  if (auto const *member = dyn_cast<CXXMemberCallExpr>(call); member && !call->isTypeDependent()) dispatch(member);
-  FunctionDecl const *function = call->getDirectCallee();
-  if (!function || call->isTypeDependent()) return;
-  if (iterators_.contains(call)) return;
-  // A rewritten function is checked at its definition.
-  bool const rewritten = reals_.in_roots(Reals::pattern(function)) && function->getBuiltinID() == 0;
-  if (rewritten && !function->isDefaulted()) return;
-  if (moved_bytes(call, function)) return;
-  if (!isa<CXXMemberCallExpr, CXXOperatorCallExpr>(call) && !function->isTemplateInstantiation())
-    targets(call, function);
-  if (function->isInStdNamespace() && name_of(function) == "construct_at") note(call, Use::target);
-  if (auto const *operation = dyn_cast<CXXOperatorCallExpr>(call)) {
-    operator_call(operation, function);
-    return;
+  // A pointer, by which a function of a library gives something back.
+  void target(Expr const *pointer) {
+    Expr const *at = pointer->IgnoreParenImpCasts();
+    QualType const target = pointer->getType()->getPointeeType();
+    if (at->isTypeDependent() || target.isNull() || target.isConstQualified() || at->getType()->isNullPtrType()) return;
+    bool const is_array = at->getType()->isArrayType();
+    QualType const type = is_array ? at->getType()->getAsArrayTypeUnsafe()->getElementType() : Reals::pointee(at);
+    if (type.isNull()) return;
+    if (at->isNullPointerConstant(context_, Expr::NPC_ValueDependentIsNotNull)) return;
+    if (!is_character(type) && !ScalarState::is_scalar(type) && !Reals::is_double(type) && !type->isPointerType())
+      return;
+    auto const *address = dyn_cast<UnaryOperator>(at);
+    Expr const *object = address && address->getOpcode() == UO_AddrOf ? address->getSubExpr() : nullptr;
+    if (!object && at->getType()->isArrayType()) object = at;
+    if (object && !may_outlive(object)) return;
+    if (object && !ScalarState::has_address(object)) return;
+    if (!isa<StringLiteral>(at)) note(at, Use::target);
   }
-  if (auto const *member = dyn_cast<CXXMemberCallExpr>(call)) {
-    library_object(call, function, member->getImplicitObjectArgument());
-    if (effect(member->getMethodDecl()) == Effect::changes) // v.erase(v.begin())
-      for (Expr const *argument : call->arguments())
-        if (auto const *at = iterator(argument);
-            at && is_same_variable(at->getImplicitObjectArgument(), member->getImplicitObjectArgument()))
-          iterators_.insert(at);
+
+  void targets(CallExpr const *call, FunctionDecl const *function) {
+    llvm::StringRef const name = function->getDeclName().isIdentifier() ? function->getName() : "";
+    bool const is_checked = name.starts_with("__builtin_") && name.ends_with("_overflow");
+    bool const is_scan = name.ends_with("scanf") || is_checked; // no parameter declares their outputs
+    if (name.contains("atomic") || name == "free" ||
+        (function->getBuiltinID() != 0 && name.starts_with("__builtin_va")))
+      return;
+    for (unsigned i = 0; i < call->getNumArgs(); ++i)
+      if (i < function->getNumParams() ? function->getParamDecl(i)->getType()->isPointerType() : is_scan)
+        target(call->getArg(i));
   }
-  library_arguments(function, {call->getArgs(), call->getNumArgs()});
-}
 
-// A pointer, by which a function of a library gives something back.
-void Collector::target(Expr const *pointer) {
-  Expr const *at = pointer->IgnoreParenImpCasts();
-  QualType const target = pointer->getType()->getPointeeType();
-  if (at->isTypeDependent() || target.isNull() || target.isConstQualified() || at->getType()->isNullPtrType()) return;
-  bool const is_array = at->getType()->isArrayType();
-  QualType const type = is_array ? at->getType()->getAsArrayTypeUnsafe()->getElementType() : Reals::pointee(at);
-  if (type.isNull()) return;
-  if (at->isNullPointerConstant(context_, Expr::NPC_ValueDependentIsNotNull)) return;
-  if (!is_character(type) && !ScalarState::is_scalar(type) && !Reals::is_double(type) && !type->isPointerType()) return;
-  auto const *address = dyn_cast<UnaryOperator>(at);
-  Expr const *object = address && address->getOpcode() == UO_AddrOf ? address->getSubExpr() : nullptr;
-  if (!object && at->getType()->isArrayType()) object = at;
-  if (object && !may_outlive(object)) return;
-  if (object && !ScalarState::has_address(object)) return;
-  if (!isa<StringLiteral>(at)) note(at, Use::target);
-}
+  // An object is made where another one may lie.
+  void made_in_place(CXXNewExpr const *made) {
+    if (made->getNumPlacementArgs() == 1 && !made->isTypeDependent() && holds_state(made->getAllocatedType()) &&
+        made->getPlacementArg(0)->getType()->isPointerType())
+      note(made, Use::target);
+  }
 
-void Collector::targets(CallExpr const *call, FunctionDecl const *function) {
-  llvm::StringRef const name = function->getDeclName().isIdentifier() ? function->getName() : "";
-  bool const is_checked = name.starts_with("__builtin_") && name.ends_with("_overflow");
-  bool const is_scan = name.ends_with("scanf") || is_checked; // no parameter declares their outputs
-  if (name.contains("atomic") || name == "free" || (function->getBuiltinID() != 0 && name.starts_with("__builtin_va")))
-    return;
-  for (unsigned i = 0; i < call->getNumArgs(); ++i)
-    if (i < function->getNumParams() ? function->getParamDecl(i)->getType()->isPointerType() : is_scan)
-      target(call->getArg(i));
-}
+  void state_of_construction(CXXConstructExpr const *construction) {
+    CXXConstructorDecl const *constructor = construction->getConstructor();
+    bool const rewritten = reals_.in_roots(constructor) && constructor->isUserProvided();
+    if (rewritten || construction->isTypeDependent() || printed_.contains(construction)) return;
+    library_arguments(constructor, {construction->getArgs(), construction->getNumArgs()});
+  }
 
-// An object is made where another one may lie.
-void Collector::made_in_place(CXXNewExpr const *made) {
-  if (made->getNumPlacementArgs() == 1 && !made->isTypeDependent() && holds_state(made->getAllocatedType()) &&
-      made->getPlacementArg(0)->getType()->isPointerType())
-    note(made, Use::target);
-}
+  llvm::SmallPtrSet<Expr const *, 8> printed_;   // copies made for printing
+  llvm::SmallPtrSet<Expr const *, 8> iterators_; // calls that return one without reading through it
+};
 
-void Collector::state_of_construction(CXXConstructExpr const *construction) {
-  CXXConstructorDecl const *constructor = construction->getConstructor();
-  bool const rewritten = reals_.in_roots(constructor) && constructor->isUserProvided();
-  if (rewritten || construction->isTypeDependent() || printed_.contains(construction)) return;
-  library_arguments(constructor, {construction->getArgs(), construction->getNumArgs()});
-}
+} // namespace
+
+void add_state_of_calls(SyntaxTable &table) { table.add<StateOfCalls>(); }
 
 } // namespace symreal::rewrite

@@ -1,7 +1,7 @@
 // The types that a source spells, and the questions of a program for the name of a type: typeid, related functions of
 // the standard library, and __PRETTY_FUNCTION__. A class replaces double, and the runtime returns the names of the
 // original.
-#include "rewrite/collect/collector.h"
+#include "rewrite/collect/handlers.h"
 #include "rewrite/model/library.h"
 #include "rewrite/text/pragma_text.h"
 
@@ -39,9 +39,59 @@ bool shows_type(FunctionDecl const *function, Reals const &reals) {
   return false;
 }
 
+class SpelledTypes : public SyntaxHandler {
+public:
+  explicit SpelledTypes(SyntaxTable &table) : SyntaxHandler(table) {
+    on<BuiltinTypeLoc>(ANYWHERE, &SpelledTypes::builtin_type);
+    on<ComplexTypeLoc>(ANYWHERE, &SpelledTypes::complex_type);
+    on<ElaboratedTypeLoc>(NUMBERS, &SpelledTypes::elaborated);
+    on<NestedNameSpecifierLoc>(NUMBERS, &SpelledTypes::qualifier);
+    on<NamedDecl>(ANYWHERE, &SpelledTypes::constrained);
+    on<FunctionDecl>(ANYWHERE, &SpelledTypes::constrained);
+  }
+
+private:
+  void builtin_type(BuiltinTypeLoc type);
+  void complex_type(ComplexTypeLoc type);
+  void elaborated(ElaboratedTypeLoc type);
+  void qualifier(NestedNameSpecifierLoc name);
+  void constrained(NamedDecl const *declaration) {
+    if (auto const *described = dyn_cast<TemplateDecl>(declaration)) constrained(described->getTemplateParameters());
+  }
+  void constrained(FunctionDecl const *function) {
+    for (unsigned i = 0; i < function->getNumTemplateParameterLists(); ++i)
+      constrained(function->getTemplateParameterList(i));
+  }
+
+  void constrained(TemplateParameterList const *parameters);
+  // A name outside the roots for a type with double in it: Eigen's Vector3d, double_t.
+  void named_type(TypeLoc type, NestedNameSpecifierLoc qualifier);
+  void typedef_name(TypedefNameDecl const *declaration, SourceLocation name, bool qualified, bool within_type);
+};
+
+// Questions of a program for the name of a type.
+class TypeNames : public SyntaxHandler {
+public:
+  explicit TypeNames(SyntaxTable &table) : SyntaxHandler(table) {
+    on<CXXTypeidExpr>(NUMBERS, &TypeNames::type_asked);
+    on<CXXMemberCallExpr>(NUMBERS, &TypeNames::type_asked);
+    on<PredefinedExpr>(NUMBERS, &TypeNames::signature_asked);
+    on<PredefinedExpr>(ANYWHERE, &TypeNames::printed_signature);
+  }
+
+private:
+  void type_asked(CXXTypeidExpr const *type);
+  void type_asked(CXXMemberCallExpr const *call);
+  void signature_asked(PredefinedExpr const *name);
+  // A function whose declaration text is part of the program: __PRETTY_FUNCTION__, which assert prints.
+  void printed_signature(PredefinedExpr const *name);
+
+  void type_asked(SourceLocation user, Expr const *expression, std::string const &place);
+};
+
 } // namespace
 
-void Collector::builtin_type(BuiltinTypeLoc type, Passive passive) {
+void SpelledTypes::builtin_type(BuiltinTypeLoc type) {
   if (type.getTypePtr()->getKind() == BuiltinType::LongDouble)
     for (SourceLocation const end : {type.getBeginLoc(), type.getEndLoc()})
       if (std::optional<Span> const span = map_.token(end)) facts_.types.insert({*span, "", long_double});
@@ -59,13 +109,13 @@ void Collector::builtin_type(BuiltinTypeLoc type, Passive passive) {
   }
   std::string const text = map_.text(*span, location);
   if (text == "double")
-    facts_.types.insert({*span, passive ? "" : reserved_type_name, passive});
+    facts_.types.insert({*span, at_.passive ? "" : reserved_type_name, at_.passive});
   else
     report(DiagnosticId::unaccounted_double, location, "a double spelled as '" + text + "'");
 }
 
 // `requires C<T> double f(T x)`: what replaces the type begins with `::`, which would go on with the name before it.
-void Collector::constrained(TemplateParameterList const *parameters) {
+void SpelledTypes::constrained(TemplateParameterList const *parameters) {
   Expr const *constraint = parameters->getRequiresClause();
   if (!constraint) return;
   std::optional<Span> const last = map_.token(constraint->getEndLoc());
@@ -80,7 +130,7 @@ void Collector::constrained(TemplateParameterList const *parameters) {
   });
 }
 
-void Collector::complex_type(ComplexTypeLoc type) {
+void SpelledTypes::complex_type(ComplexTypeLoc type) {
   if (!map_.in_roots(type.getBeginLoc())) return;
   auto const *complex = type.getTypePtr()->getAs<ComplexType>();
   if (!complex || !Reals::is_double(complex->getElementType())) return;
@@ -89,8 +139,24 @@ void Collector::complex_type(ComplexTypeLoc type) {
   report(DiagnosticId::unconvertible_type, type.getBeginLoc(), "C's complex double has no symbolic counterpart");
 }
 
-void Collector::typedef_name(TypedefNameDecl const *declaration, SourceLocation name, bool qualified,
-                             bool within_type) {
+void SpelledTypes::named_type(TypeLoc type, NestedNameSpecifierLoc qualifier) {
+  bool const qualified = static_cast<bool>(qualifier);
+  bool const within_type = qualified && qualifier.getNestedNameSpecifier()->getAsType();
+  if (auto const named = type.getAs<TypedefTypeLoc>())
+    typedef_name(named.getTypedefNameDecl(), named.getNameLoc(), qualified, within_type);
+  else if (auto const used = type.getAs<UsingTypeLoc>())
+    typedef_name(dyn_cast<TypedefNameDecl>(used.getFoundDecl()->getTargetDecl()), used.getNameLoc(), qualified,
+                 within_type);
+}
+
+void SpelledTypes::elaborated(ElaboratedTypeLoc type) { named_type(type.getNamedTypeLoc(), type.getQualifierLoc()); }
+
+void SpelledTypes::qualifier(NestedNameSpecifierLoc name) {
+  if (name.getNestedNameSpecifier()->getAsType()) named_type(name.getTypeLoc(), name.getPrefix());
+}
+
+void SpelledTypes::typedef_name(TypedefNameDecl const *declaration, SourceLocation name, bool qualified,
+                                bool within_type) {
   if (!declaration || within_type || reals_.in_roots(declaration) || !map_.in_roots(name)) return;
   if (map_.is_argument_of(name, "REAL_TYPE")) return;
   if (isa<CXXRecordDecl>(declaration->getDeclContext())) return; // its class decides
@@ -128,7 +194,9 @@ void Collector::typedef_name(TypedefNameDecl const *declaration, SourceLocation 
   facts_.types.insert({*span, replacement});
 }
 
-void Collector::printed_signature(FunctionDecl const *function) {
+void TypeNames::printed_signature(PredefinedExpr const *name) {
+  FunctionDecl const *function = at_.function;
+  if (!function || name->getIdentKind() != PredefinedIdentKind::PrettyFunction) return;
   for (FunctionDecl const *declaration : function->redecls()) {
     SourceLocation const end =
         declaration->doesThisDeclarationHaveABody() ? declaration->getBody()->getBeginLoc() : declaration->getEndLoc();
@@ -138,7 +206,7 @@ void Collector::printed_signature(FunctionDecl const *function) {
 }
 
 // `place`: as source text; empty for a mere comparison of types.
-void Collector::type_asked(SourceLocation user, Expr const *expression, std::string const &place) {
+void TypeNames::type_asked(SourceLocation user, Expr const *expression, std::string const &place) {
   SourceLocation const begin = expression->getBeginLoc();
   if (!map_.in_roots(begin) || !map_.language().CPlusPlus) return;
   if (std::optional<Span> const span = map_.range_for(user, expression->getSourceRange())) {
@@ -150,9 +218,9 @@ void Collector::type_asked(SourceLocation user, Expr const *expression, std::str
     report(DiagnosticId::split_expression, begin, "a macro makes a part of this expression, which needs a conversion");
 }
 
-void Collector::type_asked(CXXTypeidExpr const *type) { type_asked(type->getBeginLoc(), type, "nullptr"); }
+void TypeNames::type_asked(CXXTypeidExpr const *type) { type_asked(type->getBeginLoc(), type, "nullptr"); }
 
-void Collector::type_asked(CXXMemberCallExpr const *call) {
+void TypeNames::type_asked(CXXMemberCallExpr const *call) {
   CXXMethodDecl const *method = call->getMethodDecl();
   if (!method || !method->getParent()->isInStdNamespace() || !method->getDeclName().isIdentifier()) return;
   llvm::StringRef const asked = method->getName();
@@ -169,12 +237,18 @@ void Collector::type_asked(CXXMemberCallExpr const *call) {
   for (Expr const *other : call->arguments()) named(other->IgnoreParenImpCasts());
 }
 
-void Collector::signature_asked(PredefinedExpr const *name, FunctionDecl const *function) {
-  if (!map_.language().CPlusPlus || name->getIdentKind() != PredefinedIdentKind::PrettyFunction) return;
+void TypeNames::signature_asked(PredefinedExpr const *name) {
+  FunctionDecl const *function = at_.function;
+  if (!function || !map_.language().CPlusPlus || name->getIdentKind() != PredefinedIdentKind::PrettyFunction) return;
   if (!shows_type(function, reals_)) return;
   std::optional<Span> const token = map_.token(name->getLocation(), "__PRETTY_FUNCTION__");
   if (token && !map_.is_argument_of(name->getLocation(), "REAL_EITHER"))
     facts_.wraps.insert({*token, Use::instead, "SYMREAL_SIGNATURE"});
+}
+
+void add_types(SyntaxTable &table) {
+  table.add<SpelledTypes>();
+  table.add<TypeNames>();
 }
 
 } // namespace symreal::rewrite

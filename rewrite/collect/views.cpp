@@ -1,19 +1,11 @@
-// Pointers to REALs that are taken for pointers to something else: who looks through them?
-#include "rewrite/collect/collector.h"
+#include "rewrite/collect/views.h"
+#include "rewrite/collect/handlers.h"
 #include "rewrite/model/library.h"
 
 #include <clang/AST/ParentMapContext.h>
 
 namespace symreal::rewrite {
 using namespace clang;
-
-// Adds a run-time check for symbolic bytes: of one object its own, behind a pointer all that may lie there.
-void Collector::looked_into(Expr const *address) {
-  auto const *taken = dyn_cast<UnaryOperator>(address->IgnoreParens());
-  bool const is_one = taken && taken->getOpcode() == UO_AddrOf && !isa<ArraySubscriptExpr>(taken->getSubExpr());
-  bool const is_structure = address->getType()->isPointerType() && address->getType()->getPointeeType()->isRecordType();
-  note(address, is_one || is_structure ? Use::bits : Use::view);
-}
 
 namespace {
 
@@ -106,9 +98,7 @@ bool is_address_of_one(Expr const *pointer) {
 
 } // namespace
 
-// A view of numbers as another type, integers as a rule. The run checks whether one of them is symbolic: when the
-// pointer is made, or at the first read through the variable that holds it.
-void Collector::view(ExplicitCastExpr const *cast, bool of_integers) {
+void Views::view(ExplicitCastExpr const *cast, bool of_integers) {
   Destination const to = cast->getType()->isPointerType() ? destination(cast, context_) : Destination{};
   if (to.is_kept)
     report(DiagnosticId::reinterpretation, cast->getBeginLoc(),
@@ -123,7 +113,7 @@ void Collector::view(ExplicitCastExpr const *cast, bool of_integers) {
 }
 
 // Notes a read through a local pointer variable, or a copy of it.
-void Collector::read_view(Expr const *value) {
+void Views::read_view(Expr const *value) {
   if (!value->isGLValue()) return;
   value = value->IgnoreParens();
   auto const *name = named_pointer(pointer_of(value));
@@ -131,8 +121,7 @@ void Collector::read_view(Expr const *value) {
   if (variable && variable->hasLocalStorage()) through_pointers_.emplace_back(value, name);
 }
 
-// A local pointer to bytes that a number shares: true if `part`, a member of a union, goes into one.
-bool Collector::view_of_union(Expr const *part) {
+bool Views::view_of_union(Expr const *part) {
   if (instance_) return false;
   DynTypedNodeList const parents = context_.getParents(*part);
   auto const *outer = parents.empty() ? nullptr : parents[0].get<Expr>();
@@ -150,15 +139,28 @@ bool Collector::view_of_union(Expr const *part) {
   return true;
 }
 
-void Collector::store_to_view(Expr const *left, bool reads) {
-  if (reads) return read_view(left);
+void Views::assignment(BinaryOperator const *assignment) {
+  Expr const *left = assignment->getLHS()->IgnoreParens();
+  if (!assignment->isAssignmentOp() || assignment->isTypeDependent() || left->isTypeDependent()) return;
+  if (assignment->isCompoundAssignmentOp())
+    read_view(left);
+  else
+    store_to_view(left);
+}
+
+void Views::step(UnaryOperator const *step) {
+  Expr const *operand = step->getSubExpr()->IgnoreParens();
+  if (step->isIncrementDecrementOp() && !operand->isTypeDependent()) read_view(operand);
+}
+
+void Views::store_to_view(Expr const *left) {
   auto const *name = pointer_of(left) == left ? nullptr : named_pointer(pointer_of(left));
   auto const *variable = name ? dyn_cast<VarDecl>(name->getDecl()) : nullptr;
   if (variable && variable->hasLocalStorage()) stores_through_.emplace_back(left, name);
 }
 
 // True if another variable has become one.
-bool Collector::use_of_view(Expr const *value, DeclRefExpr const *name) {
+bool Views::use_of_view(Expr const *value, DeclRefExpr const *name) {
   if (pointer_of(value) != value) {
     note(value, Use::bits);
     return false;
@@ -172,7 +174,7 @@ bool Collector::use_of_view(Expr const *value, DeclRefExpr const *name) {
   return false;
 }
 
-void Collector::uses_of_views() {
+void Views::finish() {
   for (bool again = !views_.empty(); again;) {
     again = false;
     std::erase_if(through_pointers_, [&](auto const &one) {
@@ -186,5 +188,7 @@ void Collector::uses_of_views() {
       note(left, Use::part, nullptr,
            std::string(views_of_one_.contains(variable) ? "replaced" : "stored") + ", 0, 0, ");
 }
+
+Views &add_views(SyntaxTable &table) { return table.add<Views>(); }
 
 } // namespace symreal::rewrite

@@ -1,12 +1,7 @@
 // Facts about one source that need a walk of the syntax tree of their own.
 #pragma once
 
-#include "rewrite/facts/facts.h"
-#include "rewrite/model/reals.h"
-#include "rewrite/model/scalar_state.h"
-#include "rewrite/model/surroundings.h"
-#include "rewrite/source/clang.h"
-#include "rewrite/source/source_map.h"
+#include "rewrite/collect/handler.h"
 
 #include <vector>
 
@@ -18,8 +13,7 @@ namespace symreal::rewrite {
 void collect_symbolic_ints(clang::ASTContext &context, SourceMap const &map, Facts &facts, Reals &reals);
 
 // Walks the instantiations of templates and of generic lambdas within the roots.
-void collect_instances(clang::ASTContext &context, SourceMap const &map, Reals const &reals, ScalarState const &scalars,
-                       Surroundings const &surroundings, Facts &facts);
+void collect_instances(Collection const &all);
 
 // Operands with side effects on each other. The language leaves their order open; compilers have one order for built-in
 // operators and another for those of a class, and read an argument that is a number at another time than one that is a
