@@ -6,6 +6,7 @@
 #include "engine/support/text.h"
 
 #include <algorithm>
+#include <concepts>
 #include <fmt/format.h>
 #include <set>
 
@@ -18,6 +19,7 @@ class Storage {
 public:
   std::string_view keep(std::string text) { return *keep_shared(std::move(text)); }
   template <class T> std::span<T const> keep(std::vector<T> all) { return *keep_shared(std::move(all)); }
+  void keep(std::shared_ptr<void const> other) { kept_.push_back(std::move(other)); }
 
 private:
   template <class T> std::shared_ptr<T const> keep_shared(T value) {
@@ -52,7 +54,7 @@ std::vector<MarkedText> marked_texts(std::string_view text, CommentSyntax const 
     text.remove_prefix(line.size());
     if (line.starts_with(open)) {
       std::string_view mark = trimmed(line).substr(open.size());
-      mark.remove_suffix(comment.close.size());
+      if (mark.ends_with(comment.close)) mark.remove_suffix(comment.close.size());
       if (!texts.empty() && texts.back().text.ends_with("\n\n")) texts.back().text.pop_back();
       std::size_t const end = std::min(mark.find(' '), mark.size());
       texts.push_back({mark.substr(0, end), trimmed(mark.substr(end)), {}, number});
@@ -73,6 +75,7 @@ public:
       Language const *const start = find_language ? find_language(get<std::string>(*like)) : nullptr;
       if (!start) fault(*like, "there is no such language");
       language_ = *start;
+      storage_->keep(start->storage);
     }
     language_.storage = storage_;
     read_fields(language_.comment, "comment."); // the marks of the texts are comments
@@ -101,7 +104,9 @@ private:
     for (MarkedText &marked : marked_texts(file.text, language_.comment)) {
       bool const declares = marked.kind.starts_with("declaration");
       if (marked.kind == "text") {
-        entries_.push_back({{std::string(marked.name), {std::move(marked.text)}, file.name, marked.line}});
+        std::string const path(marked.name);
+        if (find(path)) table_fault(file.name, marked.line, fmt::format("'{}' is given twice", path));
+        entries_.push_back({{path, {std::move(marked.text)}, file.name, marked.line}});
       } else if (marked.kind == "helper" || marked.kind == "declaration") {
         add(marked.name, std::move(marked.text), declares);
       } else if (marked.kind == "helpers" || marked.kind == "declarations") {
@@ -141,27 +146,23 @@ private:
       std::string const whole = path + std::string(key);
       if constexpr (requires { each_field(field, [](auto &&...) {}); })
         read_fields(field, whole + ".");
+      else if constexpr (std::is_same_v<decltype(field), std::string_view &>)
+        read_text(field, whole, places);
       else
-        read_field(field, whole, places);
+        read_field(field, whole);
     });
   }
 
-  void read_field(std::string_view &field, std::string const &path, std::optional<std::string_view> places) {
+  void read_text(std::string_view &field, std::string const &path, std::optional<std::string_view> places) {
     Entry *const entry = find(path);
     if (!entry) return;
     field = places ? pattern(*entry, entry->value, *places) : storage_->keep(get<std::string>(*entry));
   }
-  void read_field(bool &field, std::string const &path, std::optional<std::string_view>) {
-    if (Entry *const entry = find(path)) field = get<bool>(*entry);
+  template <std::integral T> void read_field(T &field, std::string const &path) {
+    using Read = std::conditional_t<std::is_same_v<T, bool>, bool, std::int64_t>;
+    if (Entry *const entry = find(path)) field = static_cast<T>(get<Read>(*entry));
   }
-  void read_field(std::size_t &field, std::string const &path, std::optional<std::string_view>) {
-    if (Entry *const entry = find(path)) field = static_cast<std::size_t>(get<std::int64_t>(*entry));
-  }
-  void read_field(int &field, std::string const &path, std::optional<std::string_view>) {
-    if (Entry *const entry = find(path)) field = static_cast<int>(get<std::int64_t>(*entry));
-  }
-  template <class Result, class Argument>
-  void read_field(Result (*&field)(Argument), std::string const &path, std::optional<std::string_view>) {
+  template <class Result, class Argument> void read_field(Result (*&field)(Argument), std::string const &path) {
     Entry *const entry = find(path);
     if (!entry) return;
     auto const found = std::ranges::find(code_, get<std::string>(*entry), &NamedCode::name);
@@ -170,7 +171,7 @@ private:
     field = *code;
   }
   // Keywords, in the order in which they are searched; "c": those of C and C++.
-  void read_field(std::span<std::string_view const> &field, std::string const &path, std::optional<std::string_view>) {
+  void read_field(std::span<std::string_view const> &field, std::string const &path) {
     Entry *const entry = find(path);
     if (!entry) return;
     if (auto const *const text = std::get_if<std::string>(&entry->value.value); text && *text == "c") {
@@ -182,34 +183,34 @@ private:
     std::ranges::sort(words);
     field = storage_->keep(std::move(words));
   }
-  void read_field(std::span<Op const> &field, std::string const &path, std::optional<std::string_view>) {
+  void read_field(std::span<Op const> &field, std::string const &path) {
     Entry *const entry = find(path);
     if (!entry) return;
     std::vector<Op> ops;
     for (TomlValue const &name : get<List>(*entry)) ops.push_back(op(*entry, get<std::string>(*entry, name)));
     field = storage_->keep(std::move(ops));
   }
-  void read_field(std::span<OperationSpelling const> &field, std::string const &path, std::optional<std::string_view>) {
+  void read_field(std::span<OperationSpelling const> &field, std::string const &path) {
     read_rows(field, path, [&](Entry const &entry, std::string_view name) {
       List const row = list(entry, 2);
       return OperationSpelling{op(entry, name), pattern(entry, row[0], "x y z"),
                                row.size() < 2 ? 0 : static_cast<int>(get<std::int64_t>(entry, row[1]))};
     });
   }
-  void read_field(std::span<Word const> &field, std::string const &path, std::optional<std::string_view>) {
+  void read_field(std::span<Word const> &field, std::string const &path) {
     read_rows(field, path, [&](Entry const &entry, std::string_view name) {
       List const row = list(entry, 2);
       return Word{storage_->keep(std::string(name)), text(entry, row, 0), text(entry, row, 1)};
     });
   }
-  void read_field(std::span<BridgeInteger const> &field, std::string const &path, std::optional<std::string_view>) {
+  void read_field(std::span<BridgeInteger const> &field, std::string const &path) {
     read_rows(field, path, [&](Entry const &entry, std::string_view name) {
       List const row = list(entry, 3);
       return BridgeInteger{storage_->keep(std::string(name)), text(entry, row, 0), text(entry, row, 1),
                            text(entry, row, 2)};
     });
   }
-  void read_field(std::span<Companion const> &field, std::string const &path, std::optional<std::string_view>) {
+  void read_field(std::span<Companion const> &field, std::string const &path) {
     std::vector<Companion> companions;
     for (Entry const &entry : entries_) {
       if (entry.is_read || !entry.path.starts_with(path + ".")) continue;
@@ -219,7 +220,7 @@ private:
     }
     if (!companions.empty()) field = storage_->keep(std::move(companions));
   }
-  void read_field(std::span<Helper const> &, std::string const &, std::optional<std::string_view>) {} // add_texts does
+  void read_field(std::span<Helper const> &, std::string const &) {} // add_texts does
 
   // The entries of a table whose keys are not fields.
   template <class Row, class Read>

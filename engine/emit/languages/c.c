@@ -1,3 +1,5 @@
+/* Long patterns of C, for c.toml. Marks: language_file.h. */
+
 /* @text loops.below_diagonal */
   /* A symmetric matrix: one half is the other. */
   for (int first = 0; first < $rows; first += 8) {

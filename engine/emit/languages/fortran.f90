@@ -1,3 +1,5 @@
+! Helpers of Fortran, and the code around functions, for fortran.toml. Marks: language_file.h.
+
 ! @declaration c_cbrt
 interface
   pure function c_cbrt(x) bind(c, name='cbrt$f') result(y)

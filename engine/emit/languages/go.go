@@ -1,3 +1,5 @@
+// Helpers of Go, and the code around functions, for go.toml. Marks: language_file.h.
+
 // @helper nextafter
 // Of zeros the second, as in C.
 func nextafter(x, y float64) float64 {

@@ -1,3 +1,5 @@
+// Helpers of Java, and the code around functions, for java.toml. Marks: language_file.h.
+
 // @helper table_index
 // An index outside of its table reads the nearest element.
 private static int table_index(double index, int extent) {

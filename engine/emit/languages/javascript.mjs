@@ -1,3 +1,5 @@
+// Helpers of JavaScript, and the code around functions, for javascript.toml. Marks: language_file.h.
+
 // @helper table_index
 // An index outside of its table reads the nearest element.
 function table_index(index, extent) {

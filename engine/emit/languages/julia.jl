@@ -1,3 +1,5 @@
+# Helpers of Julia, and the code around functions, for julia.toml. Marks: language_file.h.
+
 # @declarations
 c_sqrt(x) = ccall((:sqrt, libm), Float64, (Float64,), x)
 c_cbrt(x) = ccall((:cbrt, libm), Float64, (Float64,), x)

@@ -1,3 +1,5 @@
+# Helpers of Maple, and the code around functions, for maple.toml. Marks: language_file.h.
+
 # @helper in_reals
 in_reals := proc(x)
   if type(x, numeric) then x else Float(undefined) end if

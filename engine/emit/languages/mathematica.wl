@@ -1,3 +1,5 @@
+(* Helpers of Mathematica, and the code around functions, for mathematica.toml. Marks: language_file.h. *)
+
 (* @helper real *)
 real[x_Complex] := Indeterminate
 real[x_] := x

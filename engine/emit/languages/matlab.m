@@ -1,3 +1,5 @@
+% Helpers of MATLAB, and the code around functions, for matlab.toml. Marks: language_file.h.
+
 % @helper pick
 function z = pick(condition, x, y)
   if condition, z = x; else, z = y; end

@@ -1,3 +1,5 @@
+# Helpers of Python, and the code around functions, for python.toml. Marks: language_file.h.
+
 # @helper either
 def either(many, one):
     """A function of arrays, and of single numbers as the C library has it."""

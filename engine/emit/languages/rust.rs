@@ -1,3 +1,5 @@
+// Long patterns of Rust, for rust.toml. Marks: language_file.h.
+
 // @text tables.index_helper
 // An index outside of its table reads the nearest element.
 fn table_index(index: $real, extent: usize) -> usize {

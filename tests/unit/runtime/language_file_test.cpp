@@ -129,6 +129,7 @@ TEST(LanguageFile, FaultsAreToldWithTheirLine) {
         {"= 1", "", "a.toml:2: a key is missing"},
         {"lines", "", "a.toml:2: '=' is missing"},
         {"", "# @helpr a\n", "a.txt:1: there is no mark @helpr"},
+        {"module.end = \"\"", "# @text module.end\n", "a.txt:1: 'module.end' is given twice"},
         {"", "# @like a b\n", "a.txt:1: @like names no helper above it"},
         {"", "\n# @text module.end\n$modul\n", "a.txt:2: the pattern has no place $modul: 'module.end'"}})
     try {
