@@ -8,7 +8,6 @@
 #include "engine/support/number.h"
 
 #include <cmath>
-#include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
