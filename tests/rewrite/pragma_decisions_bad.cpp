@@ -23,7 +23,7 @@ double three(double x, int n) {
 #pragma symreal loop(3)
   for (double z = 1; z > 0; z -= x) y += z;
   int count = 0;
-  // CHECK-DAG: bad.cpp:[[@LINE+1]]:1: error: the loop has an assignment to 'count', which is no REAL [SYM048]
+  // CHECK-DAG: bad.cpp:[[@LINE+1]]:1: error: the loop has an assignment to 'count', which is not a REAL [SYM048]
 #pragma symreal loop(3)
   while (y > 1) { y /= 2; ++count; }
   if (n > 1)

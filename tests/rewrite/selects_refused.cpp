@@ -21,7 +21,7 @@ double sum(double x) { total += x; return total; }
 // TEXTCHECK-NOT: REAL_COND
 double all(double x, double *a, Counter &c, int n, double *&p) {
   double *q = a;
-  // CHECK: refused.cpp:[[@LINE+1]]:7 to line [[@LINE+1]]: an assignment to 'n', which is no REAL at {{.*}}:[[@LINE+1]]:14
+  // CHECK: refused.cpp:[[@LINE+1]]:7 to line [[@LINE+1]]: an assignment to 'n', which is not a REAL at {{.*}}:[[@LINE+1]]:14
   if (x > 0) n = 3;
   // CHECK: refused.cpp:[[@LINE+1]]:7 {{.*}} a call of 'printf', whose body is not seen here at {{.*}}:[[@LINE+1]]:14
   if (x > 0) std::printf("%g\n", x);
@@ -31,7 +31,7 @@ double all(double x, double *a, Counter &c, int n, double *&p) {
   if (x > 0) x = sum(x);
   // CHECK: refused.cpp:[[@LINE+1]]:7 {{.*}} a call of 'add', which has an assignment to 'value', which is not its own
   if (x > 0) c.add(x);
-  // CHECK: refused.cpp:[[@LINE+1]]:7 {{.*}} an assignment to 'q', which is no REAL
+  // CHECK: refused.cpp:[[@LINE+1]]:7 {{.*}} an assignment to 'q', which is not a REAL
   if (x > 0) q = a + 1;
   // CHECK: refused.cpp:[[@LINE+1]]:7 {{.*}} an assignment to 'a[k]', which depends on a variable of the arm
   if (x > 0) for (int k = 0; k < n; ++k) a[k] = x;

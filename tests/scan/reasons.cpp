@@ -1,7 +1,7 @@
 // Decisions that cannot be a select for the same reason are told together, the commonest reason first.
 // RUN: %symreal scan %s 2>&1 | FileCheck %s
 // CHECK: decisions on REAL: 7, of which 0 can be a select
-// CHECK-NEXT: 3  if, because of an assignment to '...', which is no REAL; first at {{.*}}:15:3
+// CHECK-NEXT: 3  if, because of an assignment to '...', which is not a REAL; first at {{.*}}:15:3
 // CHECK-NEXT: 2  if, because of 'return' before a call of '...', whose body is not seen here; first at {{.*}}:12:3
 // CHECK-NEXT: 2  if, because of a call of '...', which has a call of '...', whose body is not seen here; first at {{.*}}:18:3
 void unseen();

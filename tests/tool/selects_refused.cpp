@@ -8,7 +8,7 @@ int main() {
   double x = 0.5, y = 1;
 #pragma symreal input(x)
   // CHECK: selects_refused.cpp:[[@LINE+2]]:{{[0-9]+}}: error: the program decides on a symbolic value: x > 0 (met 1 time) [SYM016]
-  // CHECK: selects_refused.cpp:[[@LINE+1]]:23: note: not selectable: an assignment to 'count', which is no REAL
+  // CHECK: selects_refused.cpp:[[@LINE+1]]:23: note: not selectable: an assignment to 'count', which is not a REAL
   if (x > 0) { y = x; count++; }
   // CHECK-NOT: error:
   if (x > 1) y = 2;
