@@ -153,7 +153,8 @@ std::vector<Edit> original_edits(Facts const &facts, std::string const &path) {
   if (rewordings.empty()) return {};
   for (Wrap const &wrap : facts.wraps)
     if (wrap.span.file == path && wrap.use == Use::returned)
-      rewordings.push_back({wrap.span.begin, wrap.span.end, "SYMREAL_RETURN" + wrap.detail + ", ", ")"});
+      rewordings.push_back(
+          {wrap.span.begin, wrap.span.end, "SYMREAL_RETURN" + wrap.payload(Payload::arguments) + ", ", ")"});
   return compose(facts.files.at(path).text, std::move(rewordings));
 }
 

@@ -60,8 +60,10 @@ void follow_argument_lists(Facts &facts, Result &result) {
       list.reads = list.reads || reads_numbers(facts, reached);
   std::set<std::string> given;
   for (Wrap const &wrap : facts.wraps)
-    if (wrap.use == Use::value && facts.lists.contains(wrap.detail) && given.insert(wrap.detail).second)
-      report_lists(facts, place_in(facts.files.at(wrap.span.file), wrap.span.begin), wrap.detail, result);
+    if (wrap.use == Use::value)
+      if (std::string const &function = wrap.payload(Payload::function);
+          facts.lists.contains(function) && given.insert(function).second)
+        report_lists(facts, place_in(facts.files.at(wrap.span.file), wrap.span.begin), function, result);
   // A function of the library that prints such a list prints carried values, when the program runs.
   for (std::string const &name : given)
     if (reads_numbers(facts, name)) facts.makes_text |= may_print(facts, name);
@@ -108,9 +110,9 @@ std::map<std::string, RenamedNames> renamed_names(Facts const &facts) {
   std::map<std::string, RenamedNames> names;
   for (Wrap const &wrap : facts.wraps)
     if (wrap.use == Use::name)
-      names[wrap.span.file].all.insert(wrap.detail);
+      names[wrap.span.file].all.insert(wrap.payload(Payload::name));
     else if (wrap.use == Use::own_name && is_defined(facts, wrap))
-      names[wrap.span.file].at_file_scope.insert(wrap.detail);
+      names[wrap.span.file].at_file_scope.insert(wrap.payload(Payload::name));
   return names;
 }
 

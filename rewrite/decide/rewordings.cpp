@@ -97,11 +97,12 @@ bool is_laid_out(std::string const &text, Wrap const &wrap) {
 
 // Whether an earlier rewriting has inserted the wrap's words for symbolic mode.
 bool is_inserted(std::string const &text, Wrap const &wrap) {
+  if (wrap.use != Use::before && wrap.use != Use::behind) return false;
   std::string_view const whole = text;
-  std::string const words = "REAL_ONLY(" + wrap.detail + ")";
+  std::string const words = "REAL_ONLY(" + wrap.payload(Payload::words) + ")";
   if (wrap.use == Use::before) return whole.substr(0, wrap.span.begin).ends_with(words + " ");
   std::string_view const behind = whole.substr(wrap.span.end);
-  return wrap.use == Use::behind && (behind.starts_with(" " + words) || behind.starts_with(" SYMREAL_" + words));
+  return behind.starts_with(" " + words) || behind.starts_with(" SYMREAL_" + words);
 }
 
 void add_wraps(Facts const &facts, Ledger const &ledger, Rewordings &rewordings, Result &result) {
@@ -110,16 +111,16 @@ void add_wraps(Facts const &facts, Ledger const &ledger, Rewordings &rewordings,
     // A repeated wrap of the same characters: its words may differ, as two sources may name a file differently.
     bool const again = before && before->span == wrap.span && before->use == wrap.use;
     if (again && wrap.use == Use::argument)
-      result.diagnostics.push_back({DiagnosticId::instantiations_differ,
-                                    place_in(facts.files.at(wrap.span.file), wrap.span.begin),
-                                    "'" + text_of(wrap.span, facts) + "' is converted to " + before->detail +
-                                        " in one instantiation and to " + wrap.detail + " in another"});
+      result.diagnostics.push_back(
+          {DiagnosticId::instantiations_differ, place_in(facts.files.at(wrap.span.file), wrap.span.begin),
+           "'" + text_of(wrap.span, facts) + "' is converted to " + before->payload(Payload::type) +
+               " in one instantiation and to " + wrap.payload(Payload::type) + " in another"});
     before = &wrap;
     if (info(wrap.use).has(trait::BRACE) && is_laid_out(facts.files.at(wrap.span.file).text, wrap)) continue;
     if (again || is_rewritten(facts.files.at(wrap.span.file).text, wrap.span)) continue;
     if (is_inserted(facts.files.at(wrap.span.file).text, wrap)) continue;
     // The function reads the REALs itself, as REALs.
-    if (wrap.use == Use::value && reads_numbers(facts, wrap.detail)) continue;
+    if (wrap.use == Use::value && reads_numbers(facts, wrap.payload(Payload::function))) continue;
     bool const is_name = wrap.use == Use::name || wrap.use == Use::own_name;
     if (wrap.use == Use::own_name && !is_defined(facts, wrap)) continue;
     if (wrap.use == Use::of_library && is_defined(facts, wrap)) continue;
@@ -127,7 +128,7 @@ void add_wraps(Facts const &facts, Ledger const &ledger, Rewordings &rewordings,
     if (is_text && is_name)
       result.diagnostics.push_back(
           {DiagnosticId::c_source, place_in(facts.files.at(wrap.span.file), wrap.span.begin),
-           "'" + wrap.detail + "' has another name in symbolic mode, and a macro turns it into text"});
+           "'" + wrap.payload(Payload::name) + "' has another name in symbolic mode, and a macro turns it into text"});
     if (!ledger.is_pragma(wrap.span) && !is_text)
       rewordings[wrap.span.file].push_back(rewording(wrap, facts.shared.contains(wrap.span)));
   }

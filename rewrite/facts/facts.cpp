@@ -118,8 +118,8 @@ Place place_in(FileFact const &file, std::size_t offset) {
 std::string definition_of(std::string const &name, std::string const &file) { return "own name " + name + " " + file; }
 
 bool is_defined(Facts const &facts, Wrap const &own_name) {
-  return facts.definitions.contains(definition_of(own_name.detail)) ||
-         facts.definitions.contains(definition_of(own_name.detail, own_name.span.file));
+  return facts.definitions.contains(definition_of(own_name.payload(Payload::name))) ||
+         facts.definitions.contains(definition_of(own_name.payload(Payload::name), own_name.span.file));
 }
 
 bool same_members(ClassFact const &one, ClassFact const &other) {

@@ -53,6 +53,11 @@ struct Wrap {
   Use use;
   std::string detail; // the use's payload (uses.def)
   auto operator<=>(Wrap const &) const = default;
+  // The payload for a reader that knows its kind.
+  std::string const &payload(Payload kind) const {
+    internal_check(info(use).payload == kind);
+    return detail;
+  }
 };
 
 // Kind of an annotated object's base, as far as the text of the annotation depends on it.
