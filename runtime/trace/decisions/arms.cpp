@@ -146,7 +146,7 @@ Arrival Arrival::read(MessageReader &reader) {
 
 bool Arms::open(int count, pid_t *shared_pids) {
   pids_ = shared_pids;
-  count_ = count;
+  channels_.assign(static_cast<std::size_t>(count), {});
   rlimit files;
   auto const wanted = static_cast<rlim_t>(4 * count + files_of_program);
   if (getrlimit(RLIMIT_NOFILE, &files) == 0 && files.rlim_cur < wanted) {
@@ -155,7 +155,7 @@ bool Arms::open(int count, pid_t *shared_pids) {
   }
   std::fill(pids_, pids_ + count, 0);
   bool is_open = pipe2(reports_, O_CLOEXEC) == 0;
-  for (Channel &one : opened()) {
+  for (Channel &one : channels_) {
     int ends[2] = {-1, -1};
     is_open = is_open && pipe2(ends, O_CLOEXEC) == 0;
     one = {ends[0], ends[1], is_open ? memfd_create("symreal", MFD_CLOEXEC) : -1};
@@ -165,7 +165,7 @@ bool Arms::open(int count, pid_t *shared_pids) {
 }
 
 void Arms::close_all() {
-  for (Channel &one : opened())
+  for (Channel &one : channels_)
     for (int *file : {&one.listen, &one.speak, &one.file}) close_one(*file);
   for (int &file : reports_) close_one(file);
 }
@@ -194,13 +194,13 @@ std::optional<Arrival> Arms::arrival(int arm) const {
 }
 
 void Arms::kill_all(int but) const {
-  for (int arm = 0; arm < count_; ++arm)
+  for (int arm = 0; arm < count(); ++arm)
     if (arm != but && pids_[arm] > 0) kill(pids_[arm], SIGKILL);
 }
 
 void Arms::become(int arm) {
   pids_[arm] = getpid();
-  for (Channel &one : opened()) close_one(one.speak); // so that an arm ends with its coordinator
+  for (Channel &one : channels_) close_one(one.speak); // so that an arm ends with its coordinator
   close_one(reports_[0]);
 }
 

@@ -13,9 +13,7 @@
 #include "runtime/trace/nodes/pool.h"
 #include "runtime/trace/state/state.h"
 
-#include <array>
 #include <optional>
-#include <span>
 #include <sys/types.h>
 #include <vector>
 
@@ -91,7 +89,7 @@ public:
   // Opens channels for `count` arms.
   bool open(int count, pid_t *shared_pids);
   void close_all();
-  int count() const { return count_; }
+  int count() const { return static_cast<int>(channels_.size()); }
 
   // The coordinator's side.
   void send(int arm, Command command, std::vector<char> const &bytes = {}) const;
@@ -110,10 +108,8 @@ private:
   struct Channel {
     int listen = -1, speak = -1, file = -1;
   };
-  std::span<Channel> opened() { return {channels_.data(), static_cast<std::size_t>(count_)}; }
 
-  std::array<Channel, most> channels_ = {}; // the first `count_` are open
-  int count_ = 0;
+  std::vector<Channel> channels_; // one for each arm
   int reports_[2] = {-1, -1};
   pid_t *pids_ = nullptr; // shared
 };
