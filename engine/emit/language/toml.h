@@ -1,5 +1,5 @@
-// The part of TOML 1.0 in which languages are written: tables, and as values texts, whole numbers, truth values, lists
-// and inline tables.
+// Entries of a TOML file, in the order of the file and with their lines. Values are texts, whole numbers, truth values
+// and lists of these.
 #pragma once
 
 #include <cstdint>
@@ -23,7 +23,7 @@ struct TomlEntry {
   unsigned line = 0;
 };
 
-// The entries in their order. What is wrong is told with its line, as table_fault does.
+// A fault of the file is an exception with its line, as by table_fault.
 std::vector<TomlEntry> read_toml(std::string_view file, std::string_view text);
 
 [[noreturn]] void table_fault(std::string_view file, unsigned line, std::string const &what);
