@@ -51,7 +51,7 @@ struct Collection {
     std::optional<Note> instance;
     std::function<void()> action;
   };
-  std::vector<Waiting> waiting = {};
+  std::vector<Waiting> soon = {}, later = {};
 };
 
 // Kinds of syntax that are met: a node as each class that it is of, from the root of Clang's hierarchy on, a call or
@@ -150,7 +150,9 @@ protected:
   }
 
   // Puts an action off until all syntax is met: it depends on facts from others about the same expression.
-  void later(std::function<void()> action) { all_.waiting.push_back({instance_, std::move(action)}); }
+  void later(std::function<void()> action) { all_.later.push_back({instance_, std::move(action)}); }
+  // The same before all that: it depends on what the handler has noted of the syntax around.
+  void soon(std::function<void()> action) { all_.soon.push_back({instance_, std::move(action)}); }
 
   void wrap(clang::Expr const *expression, Use use, std::string detail = {});
   // Wraps the expression for `user` alone (SourceMap::range_for).

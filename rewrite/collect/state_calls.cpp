@@ -111,7 +111,7 @@ bool is_same_variable(Expr const *one, Expr const *other) {
 class StateOfCalls : public ObjectUses {
 public:
   explicit StateOfCalls(SyntaxTable &table) : ObjectUses(table) {
-    on<CallExpr>(RUNNING, &StateOfCalls::state_of_call);
+    on<CallExpr>(RUNNING, &StateOfCalls::call);
     on<CXXConstructExpr>(RUNNING, &StateOfCalls::state_of_construction);
     on<InitListExpr>(RUNNING, &StateOfCalls::element);
     on<CXXNewExpr>(RUNNING, &StateOfCalls::made_in_place);
@@ -171,10 +171,8 @@ private:
       if (type->isPointerType() && i == output_of(function, arguments.size())) target(argument);
       if (auto const *call = iterator(argument); call && i == output_of(function, arguments.size())) {
         object(call->getImplicitObjectArgument(), Use::changed);
-        iterators_.insert(call);
       } else if (call && only_writes(function)) {
         if (!asks_caller(function)) object(call->getImplicitObjectArgument(), Use::written);
-        iterators_.insert(call);
       } else if (only_writes(function) && type->isPointerType() && holds_state(type->getPointeeType())) {
         if (asks_caller(function)) continue;
         if (begins_range(arguments, i))
@@ -234,7 +232,6 @@ private:
     }
     case OO_LessLess: // the comma initialiser of Eigen; a stream holds no numbers
       object(left, Use::written);
-      for (Expr const *shown : rest) printed_.insert(spelled_expression(shown));
       break;
     case OO_Arrow: leads(left); break; // a smart pointer: the member behind it is checked at its use
     case OO_PlusEqual:
@@ -253,15 +250,37 @@ private:
     library_arguments(function, rest);
   }
 
-  void state_of_call(CallExpr const *call) {
-    if (auto const *member = dyn_cast<CXXMemberCallExpr>(call); member && !call->isTypeDependent()) dispatch(member);
+  // The call's arguments of which their own calls must know, wherever the walk meets these.
+  void mark(CallExpr const *call, FunctionDecl const *function) {
+    auto const *operation = dyn_cast<CXXOperatorCallExpr>(call);
+    if (operation && operation->getOperator() == OO_LessLess)
+      for (unsigned i = 1; i < call->getNumArgs(); ++i) printed_.insert(spelled_expression(call->getArg(i)));
+    auto const *member = operation ? nullptr : dyn_cast<CXXMemberCallExpr>(call);
+    bool const changes = member && effect(member->getMethodDecl()) == Effect::changes; // v.erase(v.begin())
+    std::size_t const first = operation ? 1 : 0, count = call->getNumArgs() - first;
+    for (std::size_t i = 0; i < count; ++i) {
+      auto const *at = iterator(call->getArg(static_cast<unsigned>(first + i)));
+      if (!at) continue;
+      bool const is_own =
+          changes && is_same_variable(at->getImplicitObjectArgument(), member->getImplicitObjectArgument());
+      if (is_own || i == output_of(function, count) || only_writes(function)) iterators_.insert(at);
+    }
+  }
+
+  void call(CallExpr const *call) {
+    if (call->isTypeDependent()) return;
+    if (auto const *member = dyn_cast<CXXMemberCallExpr>(call)) dispatch(member);
     FunctionDecl const *function = call->getDirectCallee();
-    if (!function || call->isTypeDependent()) return;
-    if (iterators_.contains(call)) return;
+    if (!function) return;
     // A rewritten function is checked at its definition.
     bool const rewritten = reals_.in_roots(Reals::pattern(function)) && function->getBuiltinID() == 0;
     if (rewritten && !function->isDefaulted()) return;
-    if (moved_bytes(call, function)) return;
+    mark(call, function);
+    soon([this, call, function] { state_of_call(call, function); });
+  }
+
+  void state_of_call(CallExpr const *call, FunctionDecl const *function) {
+    if (iterators_.contains(call) || moved_bytes(call, function)) return;
     if (!isa<CXXMemberCallExpr, CXXOperatorCallExpr>(call) && !function->isTemplateInstantiation())
       targets(call, function);
     if (function->isInStdNamespace() && name_of(function) == "construct_at") note(call, Use::target);
@@ -269,14 +288,8 @@ private:
       operator_call(operation, function);
       return;
     }
-    if (auto const *member = dyn_cast<CXXMemberCallExpr>(call)) {
+    if (auto const *member = dyn_cast<CXXMemberCallExpr>(call))
       library_object(call, function, member->getImplicitObjectArgument());
-      if (effect(member->getMethodDecl()) == Effect::changes) // v.erase(v.begin())
-        for (Expr const *argument : call->arguments())
-          if (auto const *at = iterator(argument);
-              at && is_same_variable(at->getImplicitObjectArgument(), member->getImplicitObjectArgument()))
-            iterators_.insert(at);
-    }
     library_arguments(function, {call->getArgs(), call->getNumArgs()});
   }
 
@@ -321,8 +334,11 @@ private:
   void state_of_construction(CXXConstructExpr const *construction) {
     CXXConstructorDecl const *constructor = construction->getConstructor();
     bool const rewritten = reals_.in_roots(constructor) && constructor->isUserProvided();
-    if (rewritten || construction->isTypeDependent() || printed_.contains(construction)) return;
-    library_arguments(constructor, {construction->getArgs(), construction->getNumArgs()});
+    if (rewritten || construction->isTypeDependent()) return;
+    soon([this, construction, constructor] {
+      if (!printed_.contains(construction))
+        library_arguments(constructor, {construction->getArgs(), construction->getNumArgs()});
+    });
   }
 
   llvm::SmallPtrSet<Expr const *, 8> printed_;   // copies made for printing

@@ -28,12 +28,14 @@ SyntaxTable::~SyntaxTable() = default;
 
 void SyntaxTable::finish() {
   all_.at = {};
-  for (std::size_t k = 0; k < all_.waiting.size(); ++k) {
-    all_.instance = all_.waiting[k].instance;
-    std::function<void()> const action = std::move(all_.waiting[k].action); // may put off others
-    action();
+  for (std::vector<Collection::Waiting> *waiting : {&all_.soon, &all_.later}) {
+    for (std::size_t k = 0; k < waiting->size(); ++k) {
+      all_.instance = (*waiting)[k].instance;
+      std::function<void()> const action = std::move((*waiting)[k].action); // may put off others
+      action();
+    }
+    waiting->clear();
   }
-  all_.waiting.clear();
   all_.instance.reset();
   for (auto const &handler : handlers_) handler->finish();
 }

@@ -93,7 +93,7 @@ template <class To, class From> constexpr To recorded_copy(From const &from) noe
   }
 }
 template <class T> struct Holder {
-  T value;
+  T symreal_object;
 };
 template <class From> constexpr auto recorded_constant(From const &from) noexcept {
   using To = typename Recorded<From>::Type;

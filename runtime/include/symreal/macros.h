@@ -136,7 +136,7 @@
 #define SYMREAL_REAL ::symreal::SymrealReal
 #define SYMREAL_REAL_C(...) (static_cast<::symreal::SymrealReal>(__VA_ARGS__)) /* T(A(b)) may be a type */
 #define SYMREAL_REAL_DEDUCED(...) (::symreal::symreal_deduced(__VA_ARGS__))
-#define SYMREAL_REAL_CONSTANT(...) (::symreal::symreal_constant<(__VA_ARGS__)>.value)
+#define SYMREAL_REAL_CONSTANT(...) (::symreal::symreal_constant<(__VA_ARGS__)>.symreal_object)
 #define SYMREAL_REAL_PLAIN_OBJECT(...) (::symreal::symreal_plain_object(__VA_ARGS__))
 #define SYMREAL_REAL_VALUE(...) (::symreal::symreal_value(__VA_ARGS__))
 #define SYMREAL_REAL_TO(type, ...) (static_cast<type>(__VA_ARGS__))

@@ -49,10 +49,6 @@ namespace detail {
 // True if the compiler sees a class; std::is_class treats RealNumber as double.
 template <class T> inline constexpr bool is_class = __is_class(T);
 
-// An enumeration that converts to an integer by itself. Other types are not asked: REAL is not complete yet.
-template <class T, bool = std::is_enum_v<T>> inline constexpr bool is_unscoped = false;
-template <class T> inline constexpr bool is_unscoped<T, true> = std::is_convertible_v<T, int>;
-
 // Bits 63..50 of every node. As a constant, it leaves no trace of the path in the registers of the test.
 inline constexpr std::uint64_t node_shape = 0x3FFDu;
 inline constexpr unsigned node_shape_at = 50;
@@ -108,11 +104,8 @@ public:
   template <class T, class = std::enable_if_t<std::is_arithmetic_v<T>>> constexpr RealNumber(T value) noexcept
       : value_(static_cast<double>(value)) {}
 
-  // Implicit for an enumeration without scope, as in a fold over its enumerators.
-  template <class T, std::enable_if_t<detail::is_unscoped<T>, int> = 0> constexpr RealNumber(T value) noexcept
+  template <class T, std::enable_if_t<std::is_enum_v<T>, int> = 0> explicit constexpr RealNumber(T value) noexcept
       : value_(static_cast<double>(value)) {}
-  template <class T, std::enable_if_t<std::is_enum_v<T> && !detail::is_unscoped<T>, int> = 0>
-  explicit constexpr RealNumber(T value) noexcept : value_(static_cast<double>(value)) {}
   // Copies from and to volatile numbers, recorded like any other. As templates they do not count as copy operations, so
   // the class stays trivially copyable.
   template <class T, IfReal<T> = 0> constexpr RealNumber(T const volatile &other) noexcept : value_(other.value_) {}
