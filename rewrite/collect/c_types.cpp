@@ -169,7 +169,7 @@ private:
     if (map_.language().CPlusPlus || !map_.in_roots(operation)) return;
     if (auto const *cast = dyn_cast<ImplicitCastExpr>(operand->IgnoreParens()))
       if (cast->getCastKind() == CK_IntegralToFloating && Reals::is_double(cast->getType()))
-        return; // a conversion (expressions.cpp)
+        return; // a conversion (conversions.cpp)
     EnumDecl const *enumeration = enumeration_in_cpp(operand);
     if (!enumeration || enumeration->isFixed()) return;
     Expr const *written = operand_of(operand);

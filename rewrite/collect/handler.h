@@ -169,7 +169,7 @@ protected:
   bool is_plain_double(clang::Expr const *expression) const;
   // Whether the integer may be of a class in the symbolic program (calls.cpp).
   bool may_be_truth(clang::Expr const *argument) const;
-  // Whether C converts pointers there that C++ does not (expressions.cpp).
+  // Whether C converts pointers there that C++ does not (conversions.cpp).
   bool is_pointer_of_c(clang::ImplicitCastExpr const *cast) const;
   // The integer type of an enumeration's expression (c_types.cpp).
   clang::QualType counted_as(clang::Expr const *enumeration) const;

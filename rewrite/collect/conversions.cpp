@@ -1,7 +1,6 @@
-// Conversions of expressions, and what a scan reports of them; literals by which a type is deduced; names of functions.
+// Conversions of numbers, enumerations and pointers, and what a scan reports of them.
 #include "rewrite/collect/handlers.h"
 #include "rewrite/model/library.h"
-#include "rewrite/source/walk.h"
 
 namespace symreal::rewrite {
 using namespace clang;
@@ -13,15 +12,6 @@ EnumDecl const *enumeration_of(Expr const *expression) {
   auto const *name = dyn_cast<DeclRefExpr>(expression->IgnoreParenImpCasts());
   auto const *enumerator = name ? dyn_cast<EnumConstantDecl>(name->getDecl()) : nullptr;
   return enumerator ? cast<EnumDecl>(enumerator->getDeclContext())->getCanonicalDecl() : nullptr;
-}
-
-Expr const *written(Expr const *expression) {
-  while (true) {
-    Expr const *inner = expression->IgnoreImplicit();
-    if (auto const *bound = dyn_cast<CXXBindTemporaryExpr>(inner)) inner = bound->getSubExpr();
-    if (inner == expression) return inner;
-    expression = inner;
-  }
 }
 
 // Whether the type is an enumeration in C++. In C, that of ?: is an integer as well.
@@ -110,54 +100,6 @@ private:
   bool compares_exactly(Expr const *side, Expr const *constant);
 
   llvm::SmallPtrSet<Expr const *, 32> conditions_;
-};
-
-class DeducingLiterals : public SyntaxHandler {
-public:
-  explicit DeducingLiterals(SyntaxTable &table) : SyntaxHandler(table) {
-    on<ConditionalOperator>(NUMBERS, &DeducingLiterals::choice);
-    on<VarDecl>(NUMBERS, &DeducingLiterals::deduced_variable);
-    on<FunctionDecl>(NUMBERS, &DeducingLiterals::deduced_result);
-    on<LambdaExpr>(NUMBERS, &DeducingLiterals::deduced_result);
-    on<DecltypeTypeLoc>(NUMBERS, &DeducingLiterals::deduced_type);
-    on<CallSite>(NUMBERS, &DeducingLiterals::lists);
-  }
-
-private:
-  void choice(ConditionalOperator const *choice);
-  void deduced_variable(VarDecl const *variable);
-  void deduced_result(FunctionDecl const *function) {
-    if (function->doesThisDeclarationHaveABody() && function->getDeclaredReturnType()->getContainedAutoType())
-      deduced_return(function);
-  }
-  void deduced_result(LambdaExpr const *lambda) {
-    if (!lambda->hasExplicitResultType()) deduced_return(lambda->getCallOperator());
-  }
-  void deduced_type(DecltypeTypeLoc type) { deduced_elements(type.getUnderlyingExpr()); }
-  void lists(CallSite const *site);
-
-  void deduced_return(FunctionDecl const *function);
-  void deduced_elements(Expr const *initializer);
-};
-
-class NamesOfFunctions : public SyntaxHandler {
-public:
-  explicit NamesOfFunctions(SyntaxTable &table) : SyntaxHandler(table) {
-    on<CallExpr>(NUMBERS, &NamesOfFunctions::call);
-    on<DeclRefExpr>(NUMBERS, &NamesOfFunctions::function_value);
-    on<DeclRefExpr>(NUMBERS, &NamesOfFunctions::builtin);
-    on<CXXMemberCallExpr>(NUMBERS, &NamesOfFunctions::removed_member);
-  }
-
-private:
-  void call(CallExpr const *call) {
-    if (call->getDirectCallee()) callees_.insert(call->getCallee()->IgnoreParenImpCasts());
-  }
-  void function_value(DeclRefExpr const *name);
-  void builtin(DeclRefExpr const *name);
-  void removed_member(CXXMemberCallExpr const *call);
-
-  llvm::SmallPtrSet<Expr const *, 32> callees_;
 };
 
 } // namespace
@@ -254,21 +196,6 @@ void Conversions::complex_literal(UserDefinedLiteral const *literal) {
     wrap(literal, Use::conversion, "::std::complex<" + std::string(reserved_type_name) + ">");
 }
 
-// C++20, which symbolic mode is, has functions in place of std::allocator<T>::construct and destroy.
-void NamesOfFunctions::removed_member(CXXMemberCallExpr const *call) {
-  auto const *callee = dyn_cast<MemberExpr>(call->getCallee());
-  CXXMethodDecl const *method = call->getMethodDecl();
-  if (map_.language().CPlusPlus20 || !callee || !method || !method->getParent()->isInStdNamespace() ||
-      !method->getIdentifier() || callee->isArrow() || !map_.in_roots(callee->getMemberLoc()))
-    return;
-  bool const constructs = method->getName() == "construct", destroys = method->getName() == "destroy";
-  if ((!constructs && !destroys) || method->getParent()->getName() != "__new_allocator" ||
-      callee->getBase()->HasSideEffects(context_) || map_.is_argument_of(callee->getBeginLoc(), "REAL_EITHER"))
-    return;
-  if (std::optional<Span> const span = map_.range({callee->getBeginLoc(), callee->getMemberLoc()}))
-    facts_.wraps.insert({*span, Use::instead, constructs ? "::std::construct_at" : "::std::destroy_at"});
-}
-
 // Whether unqualified look-up finds an operator of the program of this kind.
 bool Conversions::has_operator(OverloadedOperatorKind kind) const {
   DeclContext const *const from = at_.function ? at_.function->getDeclContext() : nullptr;
@@ -288,42 +215,6 @@ bool SyntaxHandler::is_pointer_of_c(ImplicitCastExpr const *cast) const {
   if (from->isFunctionType() != to->isFunctionType()) return true;
   if (!to.isAtLeastAsQualifiedAs(from)) return true;
   return !to->isVoidType() && !context_.hasSameUnqualifiedType(from, to);
-}
-
-// sin as a value: which of the overloads in the symbolic program, its type says.
-void NamesOfFunctions::function_value(DeclRefExpr const *name) {
-  auto const *function = dyn_cast<FunctionDecl>(name->getDecl());
-  if (!function || !reals_.is_math(function) || function->isVariadic()) return;
-  auto const is_kept = [](QualType type) { // the overload has a number there, or the original's type
-    if (QualType const pointee = type->getPointeeType(); !pointee.isNull() && !type->isReferenceType()) type = pointee;
-    return !type->isReferenceType() && (Reals::is_double(type) || type->isSpecificBuiltinType(BuiltinType::Int));
-  };
-  QualType const result = function->getReturnType();
-  if (!Reals::is_double(result) && !result->isVoidType()) return;
-  std::string parameters;
-  bool takes_double = false;
-  for (ParmVarDecl const *parameter : function->parameters()) {
-    if (!is_kept(parameter->getType())) return;
-    takes_double |= Reals::is_double(parameter->getType());
-    parameters.append(parameters.empty() ? "" : ", ").append(spelled(parameter->getType()));
-  }
-  if (!takes_double) return;
-  bool const is_nothrow = map_.language().CPlusPlus ? function->getType()->castAs<FunctionProtoType>()->isNothrow()
-                                                    : function->hasAttr<NoThrowAttr>();
-  later([this, name, type = spelled(result) + "(" + parameters + ")" + (is_nothrow ? " noexcept" : "")] {
-    if (!callees_.contains(name)) wrap(name, Use::function, type);
-  });
-}
-
-// __builtin_sqrt takes a double and nothing else.
-void NamesOfFunctions::builtin(DeclRefExpr const *name) {
-  auto const *function = dyn_cast<FunctionDecl>(name->getDecl());
-  if (!function || function->getBuiltinID() == 0 || !map_.in_roots(name->getBeginLoc())) return;
-  llvm::StringRef known = function->getName();
-  if (!known.consume_front("__builtin_") || !Reals::is_math_name(known) || known == "sincos") return;
-  // A name that a library's macro spells, or pastes, is the library's concern.
-  if (std::optional<Span> const span = map_.token(name->getLocation(), function->getName()))
-    facts_.types.insert({*span, "SYMREAL_REAL_BUILTIN(" + known.str() + ")"});
 }
 
 void Conversions::compound_assignment(CompoundAssignOperator const *assignment) {
@@ -346,17 +237,6 @@ void Conversions::compound_assignment(CompoundAssignOperator const *assignment) 
     facts_.conversions.insert({*span, left->getType().getUnqualifiedType().getAsString(map_.language()), true});
 }
 
-void DeducingLiterals::choice(ConditionalOperator const *choice) {
-  if (choice->isTypeDependent() || !Reals::is_double(choice->getType())) return;
-  // A macro's body is one text for all of its uses, and some may be on integers.
-  if (!map_.sources().getSLocEntry(map_.frame(choice->getQuestionLoc())).isFile()) return;
-  Expr const *yes = choice->getTrueExpr(), *no = choice->getFalseExpr();
-  bool const yes_stays = reals_.stays_double(yes), no_stays = reals_.stays_double(no);
-  if (yes_stays == no_stays) return;
-  Expr const *literal = (yes_stays ? yes : no)->IgnoreImpCasts();
-  if (Reals::is_double(literal->getType())) wrap(literal, Use::literal);
-}
-
 // constexpr double k = half(2.): the variable stays double, unlike the result of the rewritten function.
 void Conversions::constant_initializer(Expr const *initializer) {
   if (!initializer || initializer->isTypeDependent()) return;
@@ -368,56 +248,6 @@ void Conversions::constant_initializer(Expr const *initializer) {
     return constant_initializer(cast->getSubExpr());
   if (Reals::is_double(initializer->getType()) && (reals_.is_real(initializer) || gives_real_by_macro(initializer)))
     wrap(initializer, Use::value);
-}
-
-// `auto s = 0.0`: the literal determines the type.
-void DeducingLiterals::deduced_variable(VarDecl const *variable) {
-  TypeSourceInfo const *written = variable->getTypeSourceInfo();
-  Expr const *initializer = variable->getInit();
-  if (!written || !initializer || variable->isConstexpr() || variable->isCXXForRangeDecl()) return;
-  if (initializer->isTypeDependent()) return;
-  TypeLoc type = written->getTypeLoc();
-  for (TypeLoc inner = type; !inner.isNull(); inner = inner.getNextTypeLoc()) type = inner;
-  if (auto const list = dyn_cast<CXXStdInitializerListExpr>(initializer->IgnoreImplicit()))
-    if (type.getAs<AutoTypeLoc>()) deduced_elements(list->getSubExpr());
-  if (type.getAs<DeducedTemplateSpecializationTypeLoc>()) deduced_elements(initializer);
-  if (!type.getAs<AutoTypeLoc>() || !Reals::is_double(variable->getType())) return;
-  Expr const *value = initializer->IgnoreImplicit();
-  if (auto const *list = dyn_cast<InitListExpr>(value); list && list->getNumInits() == 1) value = list->getInit(0);
-  if (is_plain_double(value)) wrap(value->IgnoreImpCasts(), Use::literal);
-}
-
-void DeducingLiterals::deduced_return(FunctionDecl const *function) {
-  for (ReturnStmt const *statement : returns_of(function))
-    if (Expr const *value = statement->getRetValue(); value && is_plain_double(value))
-      wrap(value->IgnoreImpCasts(), Use::literal);
-}
-
-void DeducingLiterals::lists(CallSite const *site) {
-  if (!takes_as_declared(site->function, reals_)) return;
-  for (Expr const *argument : site->arguments)
-    if (auto const *list = dyn_cast<CXXStdInitializerListExpr>(written(argument));
-        list && !argument->isTypeDependent()) {
-      auto const *elements = dyn_cast<InitListExpr>(list->getSubExpr()->IgnoreImplicit());
-      bool const deduced = site->function->getPrimaryTemplate() != nullptr;
-      if (elements && (deduced || elements->getNumInits() <= 2)) deduced_elements(elements);
-    }
-}
-
-void DeducingLiterals::deduced_elements(Expr const *initializer) {
-  if (!initializer) return;
-  initializer = initializer->IgnoreImplicit();
-  if (auto const *list = dyn_cast<InitListExpr>(initializer))
-    for (Expr const *element : list->inits()) deduced_elements(element);
-  else if (auto const *std_list = dyn_cast<CXXStdInitializerListExpr>(initializer))
-    deduced_elements(std_list->getSubExpr());
-  else if (auto const *construction = dyn_cast<CXXConstructExpr>(initializer)) {
-    for (Expr const *argument : construction->arguments())
-      if (!isa<CXXDefaultArgExpr>(argument)) deduced_elements(argument);
-  } else if (auto const *parens = dyn_cast<ParenListExpr>(initializer))
-    for (Stmt const *child : parens->children()) deduced_elements(cast<Expr>(child));
-  else if (is_plain_double(initializer))
-    wrap(initializer, Use::literal);
 }
 
 void Conversions::conversion(CastExpr const *cast) {
@@ -463,8 +293,7 @@ void Conversions::comparison(BinaryOperator const *comparison) {
     return;
   if (std::optional<Span> const span = map_.token(comparison->getOperatorLoc())) facts_.comparisons.insert(*span);
 }
+
 void add_conversions(SyntaxTable &table) { table.add<Conversions>(); }
-void add_literals(SyntaxTable &table) { table.add<DeducingLiterals>(); }
-void add_names_of_functions(SyntaxTable &table) { table.add<NamesOfFunctions>(); }
 
 } // namespace symreal::rewrite
