@@ -7,6 +7,7 @@ namespace symreal::rewrite {
 
 class Views;
 
+void add_argument_lists(SyntaxTable &table);      // lists of variable arguments that functions hand on
 void add_bytes(SyntaxTable &table, Views &views); // bytes of a REAL that are used as something else
 void add_calls(SyntaxTable &table);               // arguments of calls and constructions
 void add_constants(SyntaxTable &table);           // constant objects of doubles where objects of REALs are taken

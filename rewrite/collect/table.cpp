@@ -9,6 +9,7 @@ SyntaxTable::SyntaxTable(Collection all) : all_(std::move(all)) {
   add_unions(*this, views);
   add_library_calls(*this);
   add_calls(*this);
+  add_argument_lists(*this);
   add_truths(*this);
   add_literals(*this);
   add_names_of_functions(*this);
