@@ -127,7 +127,9 @@ bool TornNumbers::is_symbolic(Bits bits) {
     auto const found = find(word);
     RealNumber const number = RealNumber::from_bits(*word);
     Torn const *torn = found != torn_.end() ? &found->second : Pool::is_torn(number) ? find_copied(*word) : nullptr;
-    is_any |= torn ? (mask & ~torn->stored) != 0 : number.is_node();
+    // Bits without a node's mark may lie below one that is left from another object.
+    bool const has_mark = mask >> detail::node_shape_at != 0 && number.is_node();
+    is_any |= torn ? (mask & ~torn->stored) != 0 : has_mark || is_whole(*word);
   });
   return is_any;
 }

@@ -188,3 +188,16 @@ TEST_F(TornNumber, IsKnownByItsPlace) {
   EXPECT_FALSE(torn_numbers.is_symbolic({&number, 0, 64}));
   torn_numbers.end();
 }
+
+// short three[3] on the stack, where a number lay before.
+TEST_F(TornNumber, AreNotBytesBelowAMark) {
+  auto &torn_numbers = trace::session().torn_numbers;
+  torn_numbers.begin();
+  std::uint64_t const whole = (x * x).to_bits(), three = 7 | std::uint64_t{1} << 16 | std::uint64_t{2} << 32;
+  std::uint64_t word = (whole >> 48 << 48) | three;
+  EXPECT_FALSE(torn_numbers.is_symbolic({&word, 0, 48}));
+  EXPECT_TRUE(torn_numbers.is_symbolic({&word, 0, 64}));
+  word = whole;
+  EXPECT_TRUE(torn_numbers.is_symbolic({&word, 0, 48}));
+  torn_numbers.end();
+}
