@@ -29,9 +29,9 @@ struct VerificationOptions {
   std::vector<Sample> given = {};    // samples in addition to the drawn ones
   std::vector<Sample> replayed = {}; // samples in place of the drawn ones, if any
   double tolerance = 1e-9;           // for mode fast and single precision
-  std::string wrapper = {};          // program that tests its wrapper (program::build_wrapped); empty: there is none
-  bool branches = false;             // also count the branches of the original
-  unsigned exact_bits = 0;           // also compare with exact values of this many bits; 0: do not
+  std::string wrapper = {}; // program that tests its wrapper (program::build_wrapped); empty: no wrapper is verified
+  bool branches = false;    // also count the branches of the original
+  unsigned exact_bits = 0;  // also compare with exact values of this many bits; 0: do not
 };
 
 inline constexpr double single_tolerance = 1e-3; // default for single precision
@@ -140,7 +140,7 @@ struct Verification {
   std::vector<LeftState> changes_outside, outside;
   std::size_t next_call_different = 0; // samples on which the program's own next call gives other outputs
   std::string next_call_ended;         // how the original ends within that call, where the first call returns; or empty
-  std::string next_call_missed;        // reason why there is none to compare, unless the program just ends before it
+  std::string next_call_missed;        // reason why it is not compared, unless the program just ends before it
   std::vector<LeftState> missed_by_wrapper; // changed values that the wrapper misses, as words behind "the original"
 
   std::vector<GuardCheck> guards;              // of the generated code, in order

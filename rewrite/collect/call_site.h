@@ -19,7 +19,7 @@ struct CallSite {
 };
 
 std::optional<CallSite> call_site(clang::CallExpr const *call);
-// None for a copy.
+// Nullopt for a copy.
 std::optional<CallSite> call_site(clang::CXXConstructExpr const *construction);
 
 // Whether arguments become what the parameters declare. Functions of <cmath> take any number, and external ones stay as

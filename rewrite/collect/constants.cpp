@@ -158,7 +158,7 @@ void ConstantObjects::constant_object(Expr const *value, Use use) {
   if (wrapped) wrap(wrapped, use);
 }
 
-// Where the compiler evaluates, an object is handed to a function of the program that takes REALs.
+// An object that is handed, where the compiler evaluates, to a function of the program that takes REALs.
 void ConstantObjects::constants_handed(CallSite const *site) {
   if (!is_constant_evaluated() || !reals_.in_roots(site->function)) return;
   FunctionDecl const *written = Reals::pattern(site->function);

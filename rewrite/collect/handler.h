@@ -70,7 +70,7 @@ struct Collection {
   KIND(BuiltinTypeLoc) KIND(ComplexTypeLoc) KIND(DecltypeTypeLoc) KIND(ElaboratedTypeLoc) KIND(TypeOfExprTypeLoc)
 // clang-format on
 
-// Where a handler meets it; rows combine these.
+// Places where a handler meets it; rows combine these.
 enum : unsigned char {
   ANYWHERE = 1,  // in the text of the program
   NUMBERS = 2,   // where double becomes REAL

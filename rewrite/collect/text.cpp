@@ -1,5 +1,5 @@
-// TextOfNumbers made of REALs, and text that is read: the text of a symbolic value must not be read back, since it
-// belongs to one run. TextOfNumbers that only leaves the program is unrestricted.
+// Text that is made of REALs, and text that is read: the text of a symbolic value must not be read back, since it
+// belongs to one run. Text that only leaves the program is unrestricted.
 #include "rewrite/collect/handlers.h"
 #include "rewrite/collect/objects.h"
 #include "rewrite/model/library.h"
@@ -48,7 +48,7 @@ bool is_used(VarDecl const *variable, Stmt const *within) {
   return llvm::any_of(within->children(), any);
 }
 
-// TextOfNumbers operand of strcpy, strdup, fputs, fwrite and their like.
+// Text operand of strcpy, strdup, fputs, fwrite and their like.
 Expr const *spelled_text(CallExpr const *call) {
   bool const has_target = callee_of(call)->getName().contains("str") && call->getNumArgs() > 1;
   return call->getArg(has_target ? 1 : 0)->IgnoreParenImpCasts();
@@ -120,7 +120,7 @@ private:
     if (!type->isDependentType() && rewrite::keeps_text(type)) facts_.makes_text = true;
   }
 
-  // TextOfNumbers is read, by `reader`. `only_looks`: takes the object only, whose characters may be read later.
+  // Text is read, by `reader`. `only_looks`: takes the object only, whose characters may be read later.
   void reads_text(SourceLocation reader, Expr const *text, bool only_looks = false) {
     text = text->IgnoreParenImpCasts();
     SourceLocation const begin = text->getBeginLoc();

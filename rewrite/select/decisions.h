@@ -55,7 +55,6 @@ private:
   bool becomes_number(clang::ConditionalOperator const *choice) const;
   bool is_symbolic_integer(clang::Expr const *arm, bool becomes_number) const;
   bool is_lvalue_used(clang::ConditionalOperator const *choice) const;
-  bool stands_in_argument() const;
 
   void free_loop(clang::Stmt const *loop, clang::Expr const *condition);
   void attach_pragmas(clang::Stmt const *statement);

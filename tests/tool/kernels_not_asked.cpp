@@ -17,7 +17,7 @@
 // By a call on the command line as well, which runs another one when the program starts.
 // RUN: cd %t && %symreal generate %s -o called.c --kernel 'plain(x=2) -> return' && %symreal verify %s called.c --kernel 'plain(x=2) -> return' --samples=100
 
-// Those that are asked for are reported.
+// Kernels that are asked for are reported.
 // RUN: not %symreal generate %s -o %t/other.c --kernel stored -- -DLATE 2>&1 | FileCheck %s --check-prefix=STORED --implicit-check-not=error:
 // STORED: kernels_not_asked.cpp:[[# @LINE+10]]:15: error: the kernel writes 'total', which is not an output [SYM053]
 // RUN: not %symreal generate %s -o %t/other.c --kernel add -- -DLATE 2>&1 | FileCheck %s --check-prefix=ADD --implicit-check-not=error:

@@ -18,7 +18,6 @@ std::size_t number_up_to(std::size_t most, std::string const &text) {
   return number && *number <= most ? *number : 0;
 }
 
-// Takes one limit of --explore.
 void take_limit(std::string const &limit, program::ExploreBounds &bounds) {
   std::size_t const end = std::min(limit.find('='), limit.size());
   std::string const name = limit.substr(0, end), value = end == limit.size() ? "" : limit.substr(end + 1);
@@ -36,6 +35,13 @@ void take_limit(std::string const &limit, program::ExploreBounds &bounds) {
   if (!is_known)
     fail(DiagnosticId::bad_option, {},
          "--explore takes paths=1..100000, depth=1..10000, zeros=guard|explore and joins=on|off, not '" + limit + "'");
+}
+
+// The limits of --explore.
+program::ExploreBounds bounds_of(std::vector<std::string> const &limits) {
+  program::ExploreBounds bounds;
+  for (std::string const &limit : limits) take_limit(limit, bounds);
+  return bounds;
 }
 
 } // namespace
@@ -57,8 +63,7 @@ void DecisionsOption::add_to(CLI::App &app) {
 
 void DecisionsOption::require_sense() const {
   require_one_of("--decisions", policy, "error|guard|select|explore|auto");
-  program::ExploreBounds bounds;
-  for (std::string const &limit : limits) take_limit(limit, bounds);
+  (void)bounds_of(limits);
   if (is_exploring()) return;
   for (CLI::Option const *bound : {explore, met})
     if (bound->count() != 0)
@@ -72,8 +77,7 @@ std::string met_hash(std::string const &file) {
 }
 
 std::string DecisionsOption::of_recording() const {
-  program::ExploreBounds all;
-  for (std::string const &limit : limits) take_limit(limit, all);
+  program::ExploreBounds all = bounds_of(limits);
   all.selects = policy == "auto";
   if (!paths_met.empty()) all.met = met_hash(paths_met);
   return is_exploring() ? program::explore_policy(all) : policy;

@@ -15,7 +15,7 @@ struct GeneratedKernel {
   program::Recorded *recorded;
 };
 
-// The generated files of which a wrapper exists, and the program that tests these wrappers; empty if there is none.
+// The generated files that have a wrapper, and the program that tests these wrappers; both empty without any.
 struct FoundWrappers {
   std::set<std::string> of;
   std::string program;

@@ -1,5 +1,5 @@
 // Walk over the fields of a language (fields.def): each_field calls visit(key, field, places) for each key of a table,
-// with the places of a pattern, and nullopt for what is none.
+// with the places of a pattern, nullopt for a field that is not a pattern.
 #pragma once
 
 #include "engine/emit/language/language.h"

@@ -7,7 +7,7 @@
 //   // @helpers               a helper of each line, which begins with its name; likewise @declarations
 //   // @like c_sin c_cos c_tan   the helper c_sin again, with cos for sin, and with tan
 //
-// What precedes the first of them is a comment, and so is one empty line before each.
+// Lines before the first of them are a comment, and so is one empty line before each.
 #pragma once
 
 #include "engine/emit/language/language.h"
@@ -20,7 +20,7 @@ struct LanguageFile {
   std::string_view name, text;
 };
 
-// What only code can say, and the name by which a table asks for it.
+// A part that only code can print, and the name by which a table asks for it.
 struct NamedCode {
   std::string_view name;
   std::variant<Part, WriteCall, WriteVariable> code;

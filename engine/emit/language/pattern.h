@@ -51,7 +51,7 @@ template <class Find> std::string fill_places(std::string_view pattern, Find con
   }
 }
 
-// The first place of the pattern, with its dollar, that is not a known name; empty if there is none.
+// The first place of the pattern, with its dollar, that is not a known name; empty if all are known.
 std::string_view unknown_place(std::string_view pattern, std::set<std::string, std::less<>> const &known);
 
 // A reusable set of values.
