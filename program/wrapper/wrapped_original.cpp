@@ -8,6 +8,7 @@
 #include <array>
 #include <cctype>
 #include <fmt/format.h>
+#include <set>
 
 namespace symreal::program {
 namespace {
@@ -217,6 +218,7 @@ std::string is_run_of(Recorded const &recorded) {
 std::string build_with(Front const &front, std::vector<Insertion> const &insertions, std::string const &directory) {
   rewrite::Result text = front.annotated.files.empty() ? rewrite::annotated_original(front.rewritten) : front.annotated;
   std::vector<std::string> known; // blocks, which several files of one translation unit may need
+  std::set<rewrite::Kernel const *> placed;
   for (rewrite::File &file : text.files) {
     std::string top;
     for (Insertion const &one : insertions) {
@@ -228,16 +230,17 @@ std::string build_with(Front const &front, std::vector<Insertion> const &inserti
       std::size_t const begin = file.text.rfind("SYMREAL_ORIGINAL_FUNCTION(" + place, at);
       internal_check(begin != file.text.npos);
       file.text.insert(begin, on_one_line(one.before));
+      placed.insert(one.kernel);
       if (one.with_classes) top += "#include <typeinfo>\n";
       for (std::string const &block : one.blocks) {
         auto const number = std::ranges::find(known, block) - known.begin();
         if (static_cast<std::size_t>(number) == known.size()) known.push_back(block);
-        top += fmt::format("#ifndef SYMREAL_BLOCK_{0}\n#define SYMREAL_BLOCK_{0}\n{1}\n#endif\n", number,
-                           on_one_line(block));
+        top += once(fmt::format("SYMREAL_BLOCK_{}", number), block + "\n");
       }
     }
     if (!top.empty()) file.text.insert(0, top + "#line 1\n");
   }
+  internal_check(placed.size() == insertions.size());
   Overlay const overlay(text, front.workspace->directory(directory));
   constexpr std::array variants = {Variant::wrapped};
   return build_variants(front.build, variants, *front.overlay, overlay, *front.workspace).front();

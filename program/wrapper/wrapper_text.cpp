@@ -10,6 +10,10 @@
 
 namespace symreal::program {
 
+std::string once(std::string const &macro, std::string const &text) {
+  return fmt::format("#ifndef {0}\n#define {0}\n{1}#endif\n", macro, text);
+}
+
 bool is_c(rewrite::Kernel const &kernel) { return kernel.source.ends_with(".c"); }
 namespace {
 

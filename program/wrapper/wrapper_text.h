@@ -10,6 +10,10 @@
 
 namespace symreal::program {
 
+// The text as a translation unit has it once, though several of its files begin with it. `macro`: says that it was
+// there.
+std::string once(std::string const &macro, std::string const &text);
+
 // Is the kernel's source, and so its wrapper, in C?
 bool is_c(rewrite::Kernel const &kernel);
 

@@ -4,6 +4,7 @@
 #include "engine/support/files.h"
 #include "engine/support/text.h"
 #include "program/wrapper/baked_values.h"
+#include "program/wrapper/wrapper_text.h"
 #include "tool/output/replacement_text.h"
 
 #include <algorithm>
@@ -222,12 +223,11 @@ std::string Wrappers::top_of(Group const &here) const {
   for (std::string const &block : blocks)
     top += !in_header || replaced_.size() == 1
                ? block
-               : fmt::format("#ifndef SYMREAL_COPY_BLOCK_{0}\n#define SYMREAL_COPY_BLOCK_{0}\n{1}#endif\n",
-                             std::ranges::find(known, block) - known.begin() + 1, block);
+               : program::once(
+                     fmt::format("SYMREAL_COPY_BLOCK_{}", std::ranges::find(known, block) - known.begin() + 1), block);
   // Adds an include guard, as a header may be included repeatedly.
   if (in_header && replaced_.size() == 1)
-    top = fmt::format("#ifndef SYMREAL_COPY_WITH_{0}\n#define SYMREAL_COPY_WITH_{0}\n{1}#endif\n",
-                      identifier(replaced_[here.front()].kernel.name), top);
+    top = program::once("SYMREAL_COPY_WITH_" + identifier(replaced_[here.front()].kernel.name), top);
   return top;
 }
 
