@@ -1,5 +1,5 @@
-# The headers that a program sees, in one directory as when they are installed: those of the sources, and two that are
-# made of the names in them.
+# The headers that a program sees, in one directory as when they are installed: those of the sources, two of the table of
+# macros, and two that are made of the names in all of them.
 set(SYMREAL_HEADERS ${PROJECT_BINARY_DIR}/runtime/include)
 file(GLOB SYMREAL_HEADER_FILES CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/engine/include/symreal/*
   ${PROJECT_SOURCE_DIR}/runtime/include/symreal/*)
@@ -16,10 +16,15 @@ foreach(header ${SYMREAL_HEADER_FILES})
 endforeach()
 file(CREATE_LINK ${PROJECT_SOURCE_DIR}/runtime/include/reading ${SYMREAL_HEADERS}/reading SYMBOLIC)
 find_package(Python3 REQUIRED COMPONENTS Interpreter)
-set(SYMREAL_HIDDEN_NAMES ${SYMREAL_HEADERS}/symreal/names_hide.h ${SYMREAL_HEADERS}/symreal/names_show.h)
+set(made ${SYMREAL_HEADERS}/symreal/)
+set(SYMREAL_MACROS ${made}macros.h ${made}real.h)
+set(SYMREAL_HIDDEN_NAMES ${made}names_hide.h ${made}names_show.h)
+add_custom_command(OUTPUT ${SYMREAL_MACROS}
+  COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/cmake/mode_macros.py ${PROJECT_SOURCE_DIR}/runtime/macros.def ${made}
+  DEPENDS ${PROJECT_SOURCE_DIR}/cmake/mode_macros.py ${PROJECT_SOURCE_DIR}/runtime/macros.def VERBATIM)
 add_custom_command(OUTPUT ${SYMREAL_HIDDEN_NAMES}
   COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/cmake/hide_names.py ${CMAKE_CXX_COMPILER} ${SYMREAL_HEADERS}
-  DEPENDS ${PROJECT_SOURCE_DIR}/cmake/hide_names.py ${SYMREAL_HEADER_FILES} VERBATIM)
+  DEPENDS ${PROJECT_SOURCE_DIR}/cmake/hide_names.py ${SYMREAL_HEADER_FILES} ${SYMREAL_MACROS} VERBATIM)
 add_custom_target(symreal_hidden_names ALL DEPENDS ${SYMREAL_HIDDEN_NAMES})
 
 # What each room that uses them is compiled with.

@@ -86,9 +86,8 @@ void note_compiled(std::string const &path, std::string const &workspace) {
   std::error_code error;
   std::string const real = fs::canonical(path, error).string();
   // Skips the tool's own headers: the result depends on the tool as a whole.
-  static std::string const own =
-      fs::canonical(runtime_include() + "/symreal/real.h", error).parent_path().string() + "/";
-  if (!error && !real.starts_with(workspace) && !real.starts_with("/usr/") && !real.starts_with(own)) note_read(real);
+  bool const is_own = real.find("/include/symreal/") != real.npos;
+  if (!error && !real.starts_with(workspace) && !real.starts_with("/usr/") && !is_own) note_read(real);
 }
 
 std::string key_of_words(Command const &compilation, std::string const &workspace) {

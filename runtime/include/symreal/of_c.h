@@ -163,6 +163,12 @@ template <class Control, bool is_last, class Type> constexpr bool symreal_is_ass
 #define SYMREAL_THRICE(...) SYMREAL_ONCE(SYMREAL_ONCE(SYMREAL_ONCE(__VA_ARGS__)))
 #define SYMREAL_ONCE(...) __VA_ARGS__
 
+#ifdef __clang__ // computes in the declared type, in C as well
+#define SYMREAL_WIDTH(bits, is_signed, ...) (__VA_ARGS__)
+#else
+#define SYMREAL_WIDTH(bits, is_signed, ...) (::symreal::symreal_width<bits, is_signed>((__VA_ARGS__)))
+#endif
+
 // Both are words of C alone.
 #define __builtin_types_compatible_p(...) (::symreal::symreal_compatible<__VA_ARGS__>)
 #define __builtin_choose_expr(condition, chosen, ...)                                                                  \
