@@ -52,17 +52,15 @@ bool has_prototype_of(External const &a, External const &b) {
   return is_alike(a.returned, b.returned) && std::ranges::equal(a.parameters, b.parameters, is_alike);
 }
 
-// Functions of <math.h> that are not operations, with their types: the result, then the parameters. n: double, i: int,
-// l: long, L: long long, N: pointer to a double that is written, ?: a type that external functions cannot have.
+// Functions of <math.h> that are not operations, with their types as in the table.
 struct MathFunction {
   std::string_view name, types;
 };
-constexpr auto math_functions = std::to_array<MathFunction>(
-    {{"drem", "nnn"},   {"finite", "in"},      {"frexp", "nn?"},      {"gamma", "nn"},  {"ilogb", "in"},
-     {"j0", "nn"},      {"j1", "nn"},          {"jn", "nin"},         {"ldexp", "nni"}, {"lgamma_r", "nn?"},
-     {"llrint", "Ln"},  {"llround", "Ln"},     {"lrint", "ln"},       {"lround", "ln"}, {"modf", "nnN"},
-     {"nan", "n?"},     {"remquo", "nnn?"},    {"nexttoward", "nn?"}, {"scalb", "nnn"}, {"scalbln", "nnl"},
-     {"scalbn", "nni"}, {"significand", "nn"}, {"y0", "nn"},          {"y1", "nn"},     {"yn", "nin"}});
+constexpr auto math_functions = std::to_array<MathFunction>({
+#define MATH_FUNCTION(name, types, numbers) {#name, types},
+#include <symreal/math_functions.def>
+#undef MATH_FUNCTION
+});
 
 bool is_of_type(ExternalValue const &value, char type) {
   switch (type) {
@@ -92,6 +90,7 @@ std::string math_violation(External const &external) {
     if (is_narrow_or_wide(operation.c)) return of_math("and its numbers are not of type double");
   }
   for (MathFunction const &function : math_functions) {
+    if (function.types.empty()) continue;
     if (is_narrow_or_wide(function.name)) return of_math("and its numbers are not of type double");
     if (function.name != name) continue;
     bool const is_alike = external.parameters.size() + 1 == function.types.size() &&

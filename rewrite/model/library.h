@@ -18,11 +18,10 @@ enum Function : unsigned {
   READS_TEXT = 1 << 5,
   GIVES_ARGUMENT = 1 << 6,
   ONLY_WRITES = 1 << 7,
-  MATH = 1 << 8,
-  COMPARES = 1 << 9,
-  ERROR_NUMBER = 1 << 10,
-  ENVIRONMENT = 1 << 11,
-  ONLY_READS = 1 << 12,
+  COMPARES = 1 << 8,
+  ERROR_NUMBER = 1 << 9,
+  ENVIRONMENT = 1 << 10,
+  ONLY_READS = 1 << 11,
 };
 enum Method : unsigned { READS_ITS_TEXT = 1, COMPARES_KEYS = 2, VIEWS = 4 };
 enum Class : unsigned { OWNS_ELEMENTS = 1, OWNS_SCALARS = 2, VIEW = 4, VALUE = 8, POINTER = 16, LENDS = 32, ANY = 63 };

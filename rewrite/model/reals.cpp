@@ -87,16 +87,21 @@ bool Reals::is_passive_class(QualType type) {
 
 bool Reals::is_math_name(llvm::StringRef name) {
   // Names of the operation table's calls, in both forms, and of functions that the runtime builds from them.
+  enum Numbers { REAL, PLAIN };
   static llvm::StringSet<> const names = [] {
     llvm::StringSet<> known;
     for (OperationInfo const &operation : operations())
       if (operation.form == Form::call)
         for (std::string_view call : {operation.name, operation.c}) known.insert(llvm::StringRef(call));
+#define MATH_FUNCTION(name, types, numbers)                                                                            \
+  if constexpr (numbers == REAL) known.insert(#name);
+#include <symreal/math_functions.def>
+#undef MATH_FUNCTION
     return known;
   }();
   name.consume_front("__builtin_");
   if (name.starts_with("__")) name = name.drop_front(2).take_until([](char c) { return c == '_'; }); // __isnan of glibc
-  return names.contains(name) || library::has(name, library::MATH) || name == "isinf_sign";
+  return names.contains(name) || name == "isinf_sign";
 }
 
 bool Reals::is_declared_math(FunctionDecl const *function) {

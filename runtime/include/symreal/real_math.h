@@ -10,13 +10,6 @@ namespace symreal {
 // A row that is spelled as a call becomes an overload; operators belong to RealNumber itself. They are functions of the
 // library (trace/nodes/functions.cpp) rather than inline: each has one address, and their return address is the user's
 // line.
-#define SYMREAL_FORM_infix(...)
-#define SYMREAL_FORM_prefix(...)
-#define SYMREAL_FORM_cast(...)
-#define SYMREAL_FORM_select(...)
-#define SYMREAL_FORM_local(...)
-#define SYMREAL_FORM_external(...)
-#define SYMREAL_FORM_call(id, arity) SYMREAL_CALL_##arity(id)
 #define SYMREAL_CALL_1(id) RealNumber id(RealNumber x) noexcept;
 #define SYMREAL_CALL_2(id)                                                                                             \
   RealNumber id(RealNumber x, RealNumber y) noexcept;                                                                  \
@@ -40,16 +33,9 @@ namespace symreal {
   RealNumber id(X x, Y y, Z z) noexcept {                                                                              \
     return id(RealNumber(x), RealNumber(y), RealNumber(z));                                                            \
   }
-#define OPERATION(id, arity, form, ...) SYMREAL_FORM_##form(id, arity)
-#include <symreal/operations.def>
-#undef OPERATION
-#undef SYMREAL_FORM_infix
-#undef SYMREAL_FORM_prefix
-#undef SYMREAL_FORM_cast
-#undef SYMREAL_FORM_select
-#undef SYMREAL_FORM_local
-#undef SYMREAL_FORM_external
-#undef SYMREAL_FORM_call
+#define MATH_OPERATION(id, arity, evaluate) SYMREAL_CALL_##arity(id)
+#include <symreal/math_functions.def>
+#undef MATH_OPERATION
 #undef SYMREAL_CALL_1
 #undef SYMREAL_CALL_2
 #undef SYMREAL_CALL_3
@@ -132,54 +118,15 @@ inline SymbolicBool isunordered(RealNumber x, RealNumber y) noexcept { return is
 } // namespace symreal
 
 // C code calls them unqualified, C++ code as std::; both reach the overloads.
-#define SYMREAL_CALL_NAMES                                                                                             \
-  SYMREAL_NAME(fabs)                                                                                                   \
-  SYMREAL_NAME(nearbyint)                                                                                              \
-  SYMREAL_NAME(ldexp)                                                                                                  \
-  SYMREAL_NAME(scalbn)                                                                                                 \
-  SYMREAL_NAME(modf)                                                                                                   \
-  SYMREAL_NAME(frexp)                                                                                                  \
-  SYMREAL_NAME(remquo)                                                                                                 \
-  SYMREAL_NAME(ilogb)                                                                                                  \
-  SYMREAL_NAME(lround)                                                                                                 \
-  SYMREAL_NAME(llround)                                                                                                \
-  SYMREAL_NAME(lrint)                                                                                                  \
-  SYMREAL_NAME(llrint)                                                                                                 \
-  SYMREAL_NAME(signbit)                                                                                                \
-  SYMREAL_NAME(isnormal)                                                                                               \
-  SYMREAL_NAME(fpclassify)                                                                                             \
-  SYMREAL_NAME(isnan)                                                                                                  \
-  SYMREAL_NAME(isinf)                                                                                                  \
-  SYMREAL_NAME(isgreater)                                                                                              \
-  SYMREAL_NAME(isgreaterequal)                                                                                         \
-  SYMREAL_NAME(isless)                                                                                                 \
-  SYMREAL_NAME(islessequal)                                                                                            \
-  SYMREAL_NAME(islessgreater)                                                                                          \
-  SYMREAL_NAME(isunordered)                                                                                            \
-  SYMREAL_NAME(isfinite)
-#define SYMREAL_FORM_infix(id)
-#define SYMREAL_FORM_prefix(id)
-#define SYMREAL_FORM_cast(id)
-#define SYMREAL_FORM_select(id)
-#define SYMREAL_FORM_local(id)
-#define SYMREAL_FORM_external(id)
-#define SYMREAL_FORM_call(id) SYMREAL_NAME(id)
-#define OPERATION(id, arity, form, ...) SYMREAL_FORM_##form(id)
-#define SYMREAL_NAME(name) using symreal::name;
-#include <symreal/operations.def>
-SYMREAL_CALL_NAMES
-using symreal::sincos;
+#define SYMREAL_USED_REAL(name) using symreal::name;
+#define SYMREAL_USED_PLAIN(name)
+#define MATH_OPERATION(id, ...) using symreal::id;
+#define MATH_FUNCTION(name, types, numbers) SYMREAL_USED_##numbers(name)
+#include <symreal/math_functions.def>
 namespace std {
-#include <symreal/operations.def>
-SYMREAL_CALL_NAMES
+#include <symreal/math_functions.def>
 } // namespace std
-#undef SYMREAL_NAME
-#undef OPERATION
-#undef SYMREAL_FORM_infix
-#undef SYMREAL_FORM_prefix
-#undef SYMREAL_FORM_cast
-#undef SYMREAL_FORM_select
-#undef SYMREAL_FORM_local
-#undef SYMREAL_FORM_external
-#undef SYMREAL_FORM_call
-#undef SYMREAL_CALL_NAMES
+#undef MATH_OPERATION
+#undef MATH_FUNCTION
+#undef SYMREAL_USED_REAL
+#undef SYMREAL_USED_PLAIN

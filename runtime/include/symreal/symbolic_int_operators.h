@@ -233,13 +233,6 @@ SymbolicInt<T> clamp(SymbolicInt<T> x, typename detail::Given<SymbolicInt<T>>::T
 }
 
 // Functions of a real number take an integer, too, and a truth value.
-#define SYMREAL_FORM_infix(...)
-#define SYMREAL_FORM_prefix(...)
-#define SYMREAL_FORM_cast(...)
-#define SYMREAL_FORM_select(...)
-#define SYMREAL_FORM_local(...)
-#define SYMREAL_FORM_external(...)
-#define SYMREAL_FORM_call(id, arity) SYMREAL_CALL_##arity(id)
 #define SYMREAL_CALL_1(id)                                                                                             \
   template <class I, detail::IfSymbolic<I> = 0> RealNumber id(I x) noexcept { return id(RealNumber(x)); }              \
   template <class T, detail::IfTruth<T> = 0> RealNumber id(T x) noexcept { return id(RealNumber(x)); }
@@ -252,21 +245,14 @@ SymbolicInt<T> clamp(SymbolicInt<T> x, typename detail::Given<SymbolicInt<T>>::T
     return id(RealNumber(x), RealNumber(y));                                                                           \
   }
 #define SYMREAL_CALL_3(id)
-#define OPERATION(id, arity, form, ...) SYMREAL_FORM_##form(id, arity)
-#include <symreal/operations.def>
-#undef OPERATION
+#define MATH_OPERATION(id, arity, evaluate) SYMREAL_CALL_##arity(id)
+#include <symreal/math_functions.def>
+#undef MATH_OPERATION
 SYMREAL_CALL_1(fabs)
 SYMREAL_CALL_1(nearbyint)
 #undef SYMREAL_CALL_1
 #undef SYMREAL_CALL_2
 #undef SYMREAL_CALL_3
-#undef SYMREAL_FORM_infix
-#undef SYMREAL_FORM_prefix
-#undef SYMREAL_FORM_cast
-#undef SYMREAL_FORM_select
-#undef SYMREAL_FORM_local
-#undef SYMREAL_FORM_external
-#undef SYMREAL_FORM_call
 
 // Prints the carried value; so does REAL_VALUE among the arguments of printf.
 template <class T> T symreal_value(SymbolicInt<T> x) noexcept {
@@ -286,30 +272,16 @@ std::basic_ostream<Character, Traits> &operator<<(std::basic_ostream<Character, 
 
 } // namespace symreal
 
-#define SYMREAL_FORM_infix(id)
-#define SYMREAL_FORM_prefix(id)
-#define SYMREAL_FORM_cast(id)
-#define SYMREAL_FORM_select(id)
-#define SYMREAL_FORM_local(id)
-#define SYMREAL_FORM_external(id)
-#define SYMREAL_FORM_call(id) using symreal::id;
-#define OPERATION(id, arity, form, ...) SYMREAL_FORM_##form(id)
-#include <symreal/operations.def>
+#define MATH_OPERATION(id, ...) using symreal::id;
+#include <symreal/math_functions.def>
 using symreal::fabs;
 using symreal::nearbyint;
 namespace std {
-#include <symreal/operations.def>
+#include <symreal/math_functions.def>
 using symreal::clamp;
 using symreal::fabs;
 using symreal::max;
 using symreal::min;
 using symreal::nearbyint;
 } // namespace std
-#undef OPERATION
-#undef SYMREAL_FORM_infix
-#undef SYMREAL_FORM_prefix
-#undef SYMREAL_FORM_cast
-#undef SYMREAL_FORM_select
-#undef SYMREAL_FORM_local
-#undef SYMREAL_FORM_external
-#undef SYMREAL_FORM_call
+#undef MATH_OPERATION

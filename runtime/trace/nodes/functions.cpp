@@ -7,13 +7,6 @@
 
 namespace symreal {
 
-#define SYMREAL_FORM_infix(...)
-#define SYMREAL_FORM_prefix(...)
-#define SYMREAL_FORM_cast(...)
-#define SYMREAL_FORM_select(...)
-#define SYMREAL_FORM_local(...)
-#define SYMREAL_FORM_external(...)
-#define SYMREAL_FORM_call(id, arity, evaluate) SYMREAL_CALL_##arity(id, evaluate)
 #define SYMREAL_CALL_1(id, evaluate)                                                                                   \
   RealNumber id(RealNumber real_x) noexcept {                                                                          \
     ++detail::executed[static_cast<unsigned>(Op::id)];                                                                 \
@@ -37,8 +30,7 @@ namespace symreal {
     double x = real_x.plain(), y = real_y.plain(), z = real_z.plain();                                                 \
     return evaluate;                                                                                                   \
   }
-#define OPERATION(id, arity, form, c, precedence, evaluate, ...) SYMREAL_FORM_##form(id, arity, evaluate)
-#include <symreal/operations.def>
-#undef OPERATION
+#define MATH_OPERATION(id, arity, evaluate) SYMREAL_CALL_##arity(id, evaluate)
+#include <symreal/math_functions.def>
 
 } // namespace symreal

@@ -76,13 +76,6 @@ TEST_F(Recording, AttributesSpread) {
 
 // Every overload that the table gives: the carried value is the reference's.
 TEST_F(Recording, FunctionsCarryTheirValues) {
-#define SYMREAL_FORM_infix(...)
-#define SYMREAL_FORM_prefix(...)
-#define SYMREAL_FORM_cast(...)
-#define SYMREAL_FORM_select(...)
-#define SYMREAL_FORM_local(...)
-#define SYMREAL_FORM_external(...)
-#define SYMREAL_FORM_call(id, arity) SYMREAL_CHECK_##arity(id)
 #define SYMREAL_SAME(id, real, reference)                                                                              \
   EXPECT_TRUE((real).is_node());                                                                                       \
   EXPECT_TRUE(std::isnan(reference) || symreal_value(real) == (reference)) << #id
@@ -92,9 +85,9 @@ TEST_F(Recording, FunctionsCarryTheirValues) {
   SYMREAL_SAME(id, id(x, 2), evaluate(Op::id, 0.5, 2.0, 0));                                                           \
   SYMREAL_SAME(id, id(0.25, x), evaluate(Op::id, 0.25, 0.5, 0));
 #define SYMREAL_CHECK_3(id) SYMREAL_SAME(id, std::id(x, y, p), evaluate(Op::id, 0.5, 2.0, 3.0));
-#define OPERATION(id, arity, form, ...) SYMREAL_FORM_##form(id, arity)
-#include <symreal/operations.def>
-#undef OPERATION
+#define MATH_OPERATION(id, arity, evaluate) SYMREAL_CHECK_##arity(id)
+#include <symreal/math_functions.def>
+#undef MATH_OPERATION
 }
 
 TEST_F(Recording, MixedArithmeticAndAssignment) {
