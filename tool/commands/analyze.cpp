@@ -19,7 +19,7 @@ struct Options {
   AnalysisOptions analysis;
   PassOptions passes;
   SourceOptions source;
-  CLI::App *source_group = nullptr;
+  std::vector<CLI::Option const *> of_sources;
   std::string sweep, csv, operations_csv;
   bool sweep_argument = false, json = false;
 };
@@ -29,7 +29,7 @@ void require_sense(Options const &options) {
   if (options.files.size() != 1) fail(DiagnosticId::bad_option, {}, "name one graph, or a family with --sweep");
   if (options.sweep_argument)
     fail(DiagnosticId::option_without_effect, {}, "--sweep-argument says how --sweep hands on a size");
-  for (CLI::Option const *option : options.source_group->get_options())
+  for (CLI::Option const *option : options.of_sources)
     if (option->count() != 0)
       fail(DiagnosticId::option_without_effect, {},
            option->get_name() + " says how sources are built and run, and '" + options.files.front() + "' is a graph");
@@ -113,8 +113,10 @@ void add_analyze(CLI::App &app, Session &session) {
       ->type_name("NAME=FIRST..LAST[:STEP]");
   command->add_flag("--sweep-argument", options->sweep_argument,
                     "Pass the size to the program as its last argument, not to the compiler");
-  options->source_group = command->add_option_group("Family", "How the sources of a family are built and run");
-  options->source.add_to(*options->source_group);
+  std::size_t const others = command->get_options().size();
+  options->source.add_to(*command);
+  std::vector<CLI::Option *> const all = command->get_options();
+  options->of_sources.assign(all.begin() + static_cast<std::ptrdiff_t>(others), all.end());
   command->callback([options, command, &session] { session.status = run(*options, *command, session); });
 }
 

@@ -72,7 +72,9 @@ public:
   Language read(LanguageFile const &table, LanguageFile const &texts, FindLanguage find_language) {
     for (TomlEntry &entry : read_toml(table.name, table.text)) entries_.push_back({std::move(entry)});
     if (Entry *const like = find("like")) {
-      Language const *const start = find_language ? find_language(get<std::string>(*like)) : nullptr;
+      std::string const name = get<std::string>(*like);
+      if (name + ".toml" == table.name) fault(*like, "a language cannot be like itself");
+      Language const *const start = find_language ? find_language(name) : nullptr;
       if (!start) fault(*like, "there is no such language");
       language_ = *start;
       storage_->keep(start->storage);

@@ -121,6 +121,7 @@ TEST(LanguageFile, FaultsAreToldWithTheirLine) {
         {"expressions.operations.cosine = \"\"", "", "a.toml:2: there is no operation 'cosine'"},
         {"words.kind = [\"a\", \"b\", \"c\"]", "", "a.toml:2: 'words.kind' takes up to 2 values"},
         {"like = \"none\"", "", "a.toml:2: there is no such language"},
+        {"like = \"a\"", "", "a.toml:2: a language cannot be like itself"},
         {"lines.width = 1.5", "", "a.toml:2: a value is a text, a whole number, true, false or a list of these"},
         {"[lines]\nwidth = 1\nwidth = 1", "", "a.toml:4: "}, // and what the library says of it
         {"files.extension = \".a", "", "a.toml:2: "},
