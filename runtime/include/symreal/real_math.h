@@ -3,7 +3,9 @@
 
 #include <symreal/real_number.h>
 
+#include <algorithm>
 #include <cstdlib>
+#include <limits>
 
 namespace symreal {
 
@@ -43,8 +45,14 @@ namespace symreal {
 
 inline RealNumber fabs(RealNumber x) noexcept { return abs(x); }
 inline RealNumber nearbyint(RealNumber x) noexcept { return rint(x); }
+// In steps where one power of two would overflow or vanish; what a step of 2^-1022 rounds, the rest takes to zero.
 inline RealNumber ldexp(RealNumber x, int exponent) noexcept {
-  RealNumber const product = x * RealNumber(std::ldexp(1.0, exponent));
+  constexpr int most = 1023, least = -1074, step = 1022, beyond = 4000;
+  exponent = std::clamp(exponent, -beyond, beyond);
+  RealNumber product = x;
+  for (; exponent > most; exponent -= most) product = product * RealNumber(std::ldexp(1.0, most));
+  for (; exponent < least; exponent += step) product = product * RealNumber(std::ldexp(1.0, -step));
+  product = product * RealNumber(std::ldexp(1.0, exponent));
   if (product.is_node()) detail::may_set_error(product);
   return product;
 }
@@ -70,8 +78,13 @@ SymbolicInt<long long> llround(RealNumber x) noexcept;
 SymbolicInt<long> lrint(RealNumber x) noexcept;
 SymbolicInt<long long> llrint(RealNumber x) noexcept;
 
-// Other results that are not real numbers: computed from the carried value and reported as decisions.
-inline RealNumber frexp(RealNumber x, int *exponent) noexcept { return std::frexp(static_cast<double>(x), exponent); }
+// The exponent is that of the recorded value, under a guard that it stays the same.
+inline int ilogb(RealNumber x) noexcept { return std::ilogb(x.is_node() ? detail::value_of_exponent(x) : x.plain()); }
+inline RealNumber frexp(RealNumber x, int *exponent) noexcept {
+  if (!x.is_node()) return std::frexp(x.plain(), exponent);
+  std::frexp(detail::value_of_exponent(x), exponent);
+  return x * RealNumber(std::ldexp(1.0, -*exponent));
+}
 // The quotient has its last three bits, as that of glibc.
 inline RealNumber remquo(RealNumber x, RealNumber y, int *quotient) noexcept {
   if (!x.is_node() && !y.is_node()) return std::remquo(x.plain(), y.plain(), quotient);
@@ -88,9 +101,6 @@ template <class T, class = std::enable_if_t<std::is_arithmetic_v<T>>>
 RealNumber remquo(T x, RealNumber y, int *quotient) noexcept {
   return remquo(RealNumber(x), y, quotient);
 }
-inline int ilogb(RealNumber x) noexcept { return std::ilogb(static_cast<double>(x)); }
-inline bool isnormal(RealNumber x) noexcept { return std::isnormal(static_cast<double>(x)); }
-inline int fpclassify(RealNumber x) noexcept { return std::fpclassify(static_cast<double>(x)); }
 
 // Conditions like any comparison. Under the premise of mode finite the first three are constants.
 inline SymbolicBool isnan(RealNumber x) noexcept {
@@ -106,6 +116,21 @@ inline SymbolicBool isinf(RealNumber x) noexcept {
 inline SymbolicBool signbit(RealNumber x) noexcept {
   if (!x.is_node()) return SymbolicBool(std::signbit(x.plain()));
   return copysign(RealNumber(1.0), x) < RealNumber(0.0);
+}
+inline SymbolicBool isnormal(RealNumber x) noexcept {
+  if (!x.is_node()) return SymbolicBool(std::isnormal(x.plain()));
+  RealNumber const magnitude = abs(x);
+  return (magnitude >= RealNumber(std::numeric_limits<double>::min())) & isfinite(x);
+}
+// That of a number of the same class, which each condition decides on.
+inline int fpclassify(RealNumber x) noexcept {
+  using limits = std::numeric_limits<double>;
+  double const same = isnan(x)               ? limits::quiet_NaN()
+                      : isinf(x)             ? limits::infinity()
+                      : x == RealNumber(0.0) ? 0.0
+                      : isnormal(x)          ? 1.0
+                                             : limits::denorm_min();
+  return std::fpclassify(same);
 }
 // The comparisons that raise no exception are those that do here.
 inline SymbolicBool isgreater(RealNumber x, RealNumber y) noexcept { return x > y; }

@@ -76,6 +76,8 @@ extern __thread std::uint64_t executed[static_cast<unsigned>(Op::count)];
 // It takes the bits of the number, and lets the runtime see the whole state of its caller (trace/decisions/stand.cpp).
 bool decide_on(std::uint64_t condition) noexcept;
 [[gnu::always_inline]] inline bool decide(RealNumber condition) noexcept;
+// The recorded value, under a guard that its exponent stays the same.
+[[gnu::noinline]] double value_of_exponent(RealNumber x) noexcept;
 [[gnu::noinline]] double convert_to_integer(RealNumber x) noexcept;
 [[gnu::noinline]] double convert(RealNumber x) noexcept;
 // Notes that x is computed by a function that may set errno.

@@ -197,6 +197,26 @@ std::uint64_t convert_wide(RealNumber integer) noexcept {
   return bits(value);
 }
 
+double value_of_exponent(RealNumber x) noexcept {
+  memory::OwnWork const own;
+  double const value = needed_value(x);
+  session().state.decided();
+  std::string const name = "the exponent of " + trace::describe(x);
+  if (!is_guarded() || (value != 0 && !std::isnormal(value))) {
+    report(name);
+    return value;
+  }
+  if (value == 0) {
+    session().guards.add(x == RealNumber(0.0), true);
+    return value;
+  }
+  RealNumber const magnitude = abs(x);
+  double const least = std::ldexp(1.0, std::ilogb(value)), beyond = 2 * least;
+  session().guards.add((magnitude >= RealNumber(least)) & (magnitude <= RealNumber(std::nextafter(beyond, 0.0))),
+                       name + std::string(guard_gives) + std::to_string(std::ilogb(value)));
+  return value;
+}
+
 double convert(RealNumber x) noexcept {
   memory::OwnWork const own;
   double value = needed_value(x);
