@@ -143,8 +143,8 @@ private:
     if (!is_static) return declare_external(variable);
     std::optional<Span> const first = map_.token(begin, "static"), last = map_.token(next->getLocation(), ";");
     if (!first || !last) return false;
-    facts_.types.insert({*first, is_definition ? opens_definition : opens_declaration});
-    facts_.types.insert({*last, closes});
+    note(facts_.types, *first, {Fate::converted, is_definition ? opens_definition : opens_declaration});
+    note(facts_.types, *last, {Fate::converted, closes});
     return true;
   }
 

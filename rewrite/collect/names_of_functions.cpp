@@ -76,7 +76,7 @@ void NamesOfFunctions::builtin(DeclRefExpr const *name) {
   if (!known.consume_front("__builtin_") || !Reals::is_math_name(known) || known == "sincos") return;
   // A name that a library's macro spells, or pastes, is the library's concern.
   if (std::optional<Span> const span = map_.token(name->getLocation(), function->getName()))
-    facts_.types.insert({*span, "SYMREAL_REAL_BUILTIN(" + known.str() + ")"});
+    note(facts_.types, *span, {Fate::converted, "SYMREAL_REAL_BUILTIN(" + known.str() + ")"});
 }
 
 void add_names_of_functions(SyntaxTable &table) { table.add<NamesOfFunctions>(); }

@@ -10,6 +10,8 @@ using namespace clang;
 
 namespace {
 
+TypeToken const to_real{Fate::converted, reserved_type_name};
+
 // Eigen has an alias template beside each typedef (Vector3d, Vector3<double>) and names its class templates likewise
 // (Quaterniond, Quaternion<double>). Either has no comma, so that it survives a macro's argument list.
 std::string one_argument_template(TypedefNameDecl const *declaration) {
@@ -94,7 +96,7 @@ private:
 void SpelledTypes::builtin_type(BuiltinTypeLoc type) {
   if (type.getTypePtr()->getKind() == BuiltinType::LongDouble)
     for (SourceLocation const end : {type.getBeginLoc(), type.getEndLoc()})
-      if (std::optional<Span> const span = map_.token(end)) facts_.types.insert({*span, "", long_double});
+      if (std::optional<Span> const span = map_.token(end)) note(facts_.types, *span, {Fate::passive, "", long_double});
   if (type.getTypePtr()->getKind() != BuiltinType::Double) return;
   SourceLocation const location = type.getBeginLoc();
   if (!map_.in_roots(location)) return;
@@ -109,7 +111,7 @@ void SpelledTypes::builtin_type(BuiltinTypeLoc type) {
   }
   std::string const text = map_.text(*span, location);
   if (text == "double")
-    facts_.types.insert({*span, at_.passive ? "" : reserved_type_name, at_.passive});
+    note(facts_.types, *span, at_.passive ? TypeToken{Fate::passive, "", at_.passive} : to_real);
   else
     report(DiagnosticId::unaccounted_double, location, "a double spelled as '" + text + "'");
 }
@@ -124,8 +126,8 @@ void SpelledTypes::constrained(TemplateParameterList const *parameters) {
   std::optional<Span> const span = next ? map_.token(next->getLocation()) : std::nullopt;
   if (!span) return;
   later([this, span] {
-    auto const type = facts_.types.lower_bound({*span, ""});
-    if (type != facts_.types.end() && type->span == *span && type->replacement == reserved_type_name)
+    auto const type = facts_.types.find(*span);
+    if (type != facts_.types.end() && type->second == to_real)
       facts_.wraps.insert({*span, Use::before, "__attribute__(())"});
   });
 }
@@ -135,7 +137,8 @@ void SpelledTypes::complex_type(ComplexTypeLoc type) {
   auto const *complex = type.getTypePtr()->getAs<ComplexType>();
   if (!complex || !Reals::is_double(complex->getElementType())) return;
   for (SourceLocation const end : {type.getBeginLoc(), type.getEndLoc()})
-    if (std::optional<Span> const span = map_.token(end)) facts_.types.insert({*span, "", complex_double});
+    if (std::optional<Span> const span = map_.token(end))
+      note(facts_.types, *span, {Fate::diagnosed, "", complex_double});
   report(DiagnosticId::unconvertible_type, type.getBeginLoc(), "C's complex double has no symbolic counterpart");
 }
 
@@ -169,7 +172,7 @@ void SpelledTypes::typedef_name(TypedefNameDecl const *declaration, SourceLocati
   }
   if (Reals::is_double(type)) {
     if (!qualified)
-      facts_.types.insert({*span, reserved_type_name});
+      note(facts_.types, *span, to_real);
     else
       report(DiagnosticId::unconvertible_type, name, "'" + declaration->getQualifiedNameAsString() + "' is a double");
     return;
@@ -191,7 +194,7 @@ void SpelledTypes::typedef_name(TypedefNameDecl const *declaration, SourceLocati
                ", declared outside the roots");
     return;
   }
-  facts_.types.insert({*span, replacement});
+  note(facts_.types, *span, {Fate::converted, replacement});
 }
 
 void TypeNames::printed_signature(PredefinedExpr const *name) {

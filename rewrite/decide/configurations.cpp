@@ -20,11 +20,8 @@ bool holds(std::vector<bool> const &reached, std::size_t offset) { return offset
 Configurations::View Configurations::view(std::string const &path, Facts const &facts) const {
   View view;
   FileFact const &file = facts.files.at(path);
-  for (auto at = facts.types.lower_bound({{path, 0, 0}, ""}); at != facts.types.end() && at->span.file == path; ++at) {
-    // A macro's body may stay in one place and be converted in another.
-    std::string &text = view.types[at->span.begin];
-    if (text.empty()) text = at->replacement;
-  }
+  for (auto at = facts.types.lower_bound({path, 0, 0}); at != facts.types.end() && at->first.file == path; ++at)
+    if (at->second.fate >= Fate::passive) view.types[at->first.begin] = at->second.replacement;
   for (auto at = facts.wraps.lower_bound({{path, 0, 0}, Use{}, ""}); at != facts.wraps.end() && at->span.file == path;
        ++at)
     if (info(at->use).has(trait::BY_TYPES) && !is_quoted(facts, at->span) && !in_directive(file, at->span.begin))

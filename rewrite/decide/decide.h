@@ -19,16 +19,14 @@ public:
   explicit Ledger(Facts const &facts);
 
   bool is_pragma(Span const &span) const { return meets(pragmas_, span); }
-  bool is_kept(Span const &span) const { return meets(kept_, span); }
-  // Kept, or part of a `long double`.
-  bool stays_in_text(Span const &span) const { return meets(kept_, span) || long_.count(span) != 0; }
+  // Fate of a token that reaches the parser, outside of pragmas, and its reason.
+  Spelling judged(Span const &span, TypeToken const &token) const;
   // Entries of a file, which must agree with its edits.
   std::vector<Spelling> entries(std::string const &path, std::vector<Edit> const &edits) const;
 
 private:
   Spelling entry(FileFact const &file, SpelledType const &type) const;
   std::string condition(SpelledType const &type) const;
-  TypeToken const *known(Span const &span) const;
 
   Facts const &facts_;
   std::set<Span> pragmas_, kept_, long_;

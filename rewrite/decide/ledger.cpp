@@ -20,6 +20,8 @@ std::string words(Passive why) {
   case plain_template: return "an argument of a template that counts in plain numbers";
   case long_double: return "long double is left as it is";
   case complex_double: return "a C complex type";
+  case dropped_argument: return "an argument that its macro drops";
+  case macro_name: return "the name of a macro";
   }
   internal_failure("each reason has words", __FILE__, __LINE__);
 }
@@ -55,13 +57,20 @@ Ledger::Ledger(Facts const &facts) : facts_(facts) {
     }
 }
 
-TypeToken const *Ledger::known(Span const &span) const {
-  auto const found = facts_.types.lower_bound({span, ""});
-  if (found == facts_.types.end() || found->span != span) return nullptr;
-  // A macro's token may stay in one expansion and be converted in another.
-  auto const next = std::next(found);
-  bool const both = found->replacement.empty() && next != facts_.types.end() && next->span == span;
-  return both && !next->replacement.empty() ? &*next : &*found;
+Spelling Ledger::judged(Span const &span, TypeToken const &token) const {
+  auto const make = [&](Fate fate, std::string reason, std::optional<DiagnosticId> id = {}) {
+    return Spelling{{}, "double", fate, std::move(reason), id ? code(*id) : ""};
+  };
+  if (meets(kept_, span)) return make(Fate::passive, "kept by a comment");
+  if (meets(facts_.quoted, span)) return make(Fate::passive, "a macro turns it into text", DiagnosticId::quoted_double);
+  switch (token.fate) {
+  case Fate::converted: return make(token.fate, {});
+  case Fate::diagnosed: return make(token.fate, words(token.why), DiagnosticId::unconvertible_type);
+  case Fate::follows:
+    if (long_.contains(span)) return make(Fate::passive, words(long_double));
+    return make(token.fate, "follows its neighbours", DiagnosticId::unaccounted_double);
+  default: return make(Fate::passive, words(token.why));
+  }
 }
 
 // The outermost part of an #if around it that was not taken, in the source that came closest to it.
@@ -88,19 +97,10 @@ Spelling Ledger::entry(FileFact const &file, SpelledType const &type) const {
   };
   Span const &span = type.span;
   bool const is_double = !type.is_float && !type.is_long;
-  TypeToken const *token = known(span);
-  bool const reached = token || facts_.doubles.count(span) != 0;
+  auto const token = facts_.types.find(span);
+  bool const is_known = token != facts_.types.end(), reached = is_known && token->second.fate != Fate::inactive;
   if (type.where == Where::directive || meets(pragmas_, span)) return make(Fate::passive, "in a directive", type.name);
-  if (reached && is_double) {
-    if (type.kept) return make(Fate::passive, "kept by a comment");
-    if (meets(facts_.quoted, span))
-      return make(Fate::passive, "a macro turns it into text", code(DiagnosticId::quoted_double));
-    if (!token) return make(Fate::follows, "follows its neighbours", code(DiagnosticId::unaccounted_double));
-    if (!token->replacement.empty()) return make(Fate::converted, {});
-    if (token->why == complex_double)
-      return make(Fate::diagnosed, words(token->why), code(DiagnosticId::unconvertible_type));
-    return make(Fate::passive, words(token->why));
-  }
+  if (reached && is_double) return judged(span, token->second);
   if (!reached)
     if (std::string const directive = condition(type); !directive.empty())
       return make(Fate::inactive, "not compiled", directive);
@@ -108,9 +108,7 @@ Spelling Ledger::entry(FileFact const &file, SpelledType const &type) const {
   if (type.is_long) return make(Fate::passive, words(long_double));
   if (type.where == Where::macro) return make(Fate::inactive, "in a macro that is not expanded", type.name);
   if (meets(facts_.quoted, span)) return make(Fate::passive, "a macro turns it into text");
-  if (auto const consumed = facts_.consumed.find(span); consumed != facts_.consumed.end())
-    return make(Fate::passive,
-                consumed->second == Consumed::macro_name ? "the name of a macro" : "an argument that its macro drops");
+  if (is_known) return make(Fate::passive, words(token->second.why));
   throw std::logic_error(to_string(place_in(file, span.begin)) + ": this '" + name +
                          "' is in none of the ledger's columns");
 }

@@ -44,38 +44,31 @@ Rewording rewording(Wrap const &wrap, bool is_shared) {
 }
 
 // A library's typedef keeps its name where the program prints it.
-std::string replacement_of(TypeToken const &token, Facts const &facts) {
-  if (token.replacement == reserved_type_name || !meets(facts.printed, token.span)) return token.replacement;
-  return "SYMREAL_REAL_TYPE(" + text_of(token.span, facts) + ", " + token.replacement + ")";
+std::string replacement_of(Span const &span, TypeToken const &token, Facts const &facts) {
+  if (token.replacement == reserved_type_name || !meets(facts.printed, span)) return token.replacement;
+  return "SYMREAL_REAL_TYPE(" + text_of(span, facts) + ", " + token.replacement + ")";
 }
 
 void add_types(Facts const &facts, Ledger const &ledger, Rewordings &rewordings, Result &result) {
-  for (TypeToken const &token : facts.types) {
-    if (ledger.is_pragma(token.span) || ledger.is_kept(token.span)) continue;
-    if (!meets(facts.quoted, token.span)) {
-      if (!token.replacement.empty())
-        rewordings[token.span.file].push_back(
-            {token.span.begin, token.span.end, replacement_of(token, facts), "", true});
-      continue;
-    }
-    FileFact const &file = facts.files.at(token.span.file);
-    std::string const text = text_of(token.span, facts);
-    result.diagnostics.push_back({DiagnosticId::quoted_double, place_in(file, token.span.begin),
-                                  "'" + text + "' stays as it is: a macro turns this argument into text"});
+  std::vector<Diagnostic> unaccounted;
+  for (auto const &[span, token] : facts.types) {
+    if (token.fate == Fate::inactive || ledger.is_pragma(span)) continue;
+    Spelling const judged = ledger.judged(span, token);
+    FileFact const &file = facts.files.at(span.file);
+    if (judged.fate == Fate::converted)
+      rewordings[span.file].push_back({span.begin, span.end, replacement_of(span, token, facts), "", true});
+    else if (judged.fate == Fate::follows) {
+      // A few places have no type in the syntax tree, such as the explicit instantiation of a function or an attribute.
+      // If what becomes of `double` there is wrong, the symbolic program does not compile.
+      rewordings[span.file].push_back({span.begin, span.end, reserved_type_name, "", true});
+      unaccounted.push_back({DiagnosticId::unaccounted_double, place_in(file, span.begin),
+                             "the syntax tree does not say what this double is part of; it becomes REAL"});
+    } else if (token.fate != Fate::follows && judged.detail == code(DiagnosticId::quoted_double))
+      result.diagnostics.push_back(
+          {DiagnosticId::quoted_double, place_in(file, span.begin),
+           "'" + text_of(span, facts) + "' stays as it is: a macro turns this argument into text"});
   }
-}
-
-// A few places have no type in the syntax tree, such as the explicit instantiation of a function or an attribute. There
-// `double` follows its neighbours; if that is wrong the symbolic program does not compile.
-void add_unaccounted(Facts const &facts, Ledger const &ledger, Rewordings &rewordings, Result &result) {
-  for (Span const &span : facts.doubles) {
-    auto const known = facts.types.lower_bound({span, ""});
-    bool const accounted = known != facts.types.end() && known->span == span;
-    if (accounted || ledger.is_pragma(span) || meets(facts.quoted, span) || ledger.stays_in_text(span)) continue;
-    rewordings[span.file].push_back({span.begin, span.end, reserved_type_name, "", true});
-    result.diagnostics.push_back({DiagnosticId::unaccounted_double, place_in(facts.files.at(span.file), span.begin),
-                                  "the syntax tree does not say what this double is part of; it becomes REAL"});
-  }
+  result.diagnostics.insert(result.diagnostics.end(), unaccounted.begin(), unaccounted.end());
 }
 
 // Whether the expression is one call of a Symreal macro, from an earlier rewriting: it needs no further wraps.
@@ -139,11 +132,12 @@ std::string type_text(Facts const &facts, Span const &span) {
   std::string const &file = facts.files.at(span.file).text;
   std::string text; // becomes one line: insertions keep line numbers
   std::size_t at = span.begin;
-  for (auto token = facts.types.lower_bound({{span.file, span.begin, 0}, ""}); token != facts.types.end(); ++token) {
-    if (token->span.file != span.file || token->span.end > span.end) break;
-    if (token->replacement.empty() || token->span.begin < at) continue;
-    text += file.substr(at, token->span.begin - at) + token->replacement;
-    at = token->span.end;
+  for (auto found = facts.types.lower_bound({span.file, span.begin, 0}); found != facts.types.end(); ++found) {
+    auto const &[token, type] = *found;
+    if (token.file != span.file || token.end > span.end) break;
+    if (type.fate != Fate::converted || token.begin < at) continue;
+    text += file.substr(at, token.begin - at) + type.replacement;
+    at = token.end;
   }
   return normalised(text + file.substr(at, span.end - at));
 }
@@ -209,9 +203,9 @@ std::vector<Span> calls_to_copy(Facts const &facts) {
 
 bool needs_copy(Facts const &facts, Span const &call) {
   auto const within = [&](Span const &span) { return holds(call, span) && is_quoted(facts, span); };
-  for (auto at = facts.types.lower_bound({{call.file, call.begin, 0}, ""});
-       at != facts.types.end() && at->span.file == call.file && at->span.begin < call.end; ++at)
-    if (!at->replacement.empty() && within(at->span)) return true;
+  for (auto at = facts.types.lower_bound({call.file, call.begin, 0});
+       at != facts.types.end() && at->first.file == call.file && at->first.begin < call.end; ++at)
+    if (at->second.fate == Fate::converted && within(at->first)) return true;
   for (auto at = facts.wraps.lower_bound({{call.file, call.begin, 0}, Use{}, ""});
        at != facts.wraps.end() && at->span.file == call.file && at->span.begin < call.end; ++at)
     if (info(at->use).has(trait::NEEDED) && at->span != call && within(at->span)) return true;
@@ -351,7 +345,6 @@ Rewordings reword(Facts &facts, Ledger const &ledger, Result &result) {
   Rewordings rewordings;
   copy_text_calls(facts, rewordings);
   add_types(facts, ledger, rewordings, result);
-  add_unaccounted(facts, ledger, rewordings, result);
   add_wraps(facts, ledger, rewordings, result);
   add_selects(facts, rewordings, result);
   add_members(facts, rewordings);

@@ -87,6 +87,14 @@ template <class T> std::string written(T &object) {
 
 } // namespace
 
+void note(TypeTokens &types, Span const &span, TypeToken token) {
+  auto const [at, is_new] = types.try_emplace(span, token);
+  TypeToken &known = at->second;
+  // Of several reasons to stay the first counts, of several replacements the last in the order of words.
+  if (std::tie(known.fate, known.replacement, token.why) < std::tie(token.fate, token.replacement, known.why))
+    known = std::move(token);
+}
+
 bool meets(std::set<Span> const &spans, Span const &span) {
   auto at = spans.upper_bound({span.file, span.end, 0});
   while (at != spans.begin()) {
@@ -142,16 +150,15 @@ void merge(Choices &choices, Choices &&others) {
 
 void merge(Facts &facts, Facts &&other) {
   // Named one by one, so that a new kind of fact does not compile until it is merged as well.
-  auto &[files, types, doubles, wraps, shared, members, reached, skipped, consumed, conversions, comparisons, printed,
-         quoted, pasted, text_calls, pragmas, lists, arithmetic, choices, asking, by_hand, definitions, changeable,
-         exported, uses, links, linked_words, names, deciding, decisions, externals, configured_externals,
-         kernel_functions, taken_names, include_dirs, read, diagnostics, broken, makes_text] = other;
+  auto &[files, types, wraps, shared, members, reached, skipped, conversions, comparisons, printed, quoted, pasted,
+         text_calls, pragmas, lists, arithmetic, choices, asking, by_hand, definitions, changeable, exported, uses,
+         links, linked_words, names, deciding, decisions, externals, configured_externals, kernel_functions,
+         taken_names, include_dirs, read, diagnostics, broken, makes_text] = other;
   use_known_names(diagnostics, files, facts.files);
   for (auto &[path, file] : files)
     if (auto const [at, is_new] = facts.files.try_emplace(path, std::move(file)); !is_new)
       merge_file(at->second, std::move(file), facts);
-  facts.types.merge(types);
-  facts.doubles.merge(doubles);
+  for (auto &[span, token] : types) note(facts.types, span, std::move(token));
   facts.wraps.merge(wraps);
   facts.shared.merge(shared);
   for (auto &[brace, fact] : members)
@@ -159,7 +166,6 @@ void merge(Facts &facts, Facts &&other) {
       merge_class(at->second, fact);
   reached.clear(); // of one source alone (configurations.h)
   facts.skipped.merge(skipped);
-  facts.consumed.merge(consumed);
   facts.conversions.merge(conversions);
   facts.comparisons.merge(comparisons);
   facts.printed.merge(printed);

@@ -24,7 +24,7 @@ struct Span {
   auto operator<=>(Span const &) const = default;
 };
 
-// Reason for which a compiled type stays as it is, if it does; texts in ledger.cpp.
+// Reason for which a type stays as it is, if it does; texts in ledger.cpp.
 enum Passive : unsigned char {
   not_passive,
   constant_variable,
@@ -38,15 +38,22 @@ enum Passive : unsigned char {
   plain_template,
   long_double,
   complex_double,
+  dropped_argument, // these never reach the parser
+  macro_name,
 };
 
-// A token that spells a type: `double`, or the name of a library's typedef such as Vector3d.
+// A token that spells a type: `double`, or the name of a library's typedef such as Vector3d. That of a `double` follows
+// its neighbours until the syntax tree says more.
 struct TypeToken {
-  Span span;
-  std::string replacement; // empty: the type deliberately stays
+  Fate fate = Fate::inactive;
+  std::string replacement = {}; // of a converted one
   Passive why = not_passive;
   auto operator<=>(TypeToken const &) const = default;
 };
+using TypeTokens = std::map<Span, TypeToken>;
+
+// Notes the fate of a token in one expansion or source.
+void note(TypeTokens &types, Span const &span, TypeToken token);
 
 struct Wrap {
   Span span;
@@ -186,9 +193,6 @@ struct FileFact {
   std::vector<std::pair<std::size_t, std::size_t>> kept = {}; // lines with the comment `symreal: keep`
 };
 
-// Reason why a token never reaches the parser.
-enum class Consumed { dropped_argument, macro_name };
-
 // The bases and fields of a class, and which of them hold REAL or an integer: a source with only a forward declaration
 // of the class does not see what a pointer to it owns.
 struct ClassFact {
@@ -240,14 +244,12 @@ using Choices = std::map<std::string, Choice>;
 
 struct Facts {
   std::map<std::string, FileFact> files; // by real path
-  std::set<TypeToken> types;
-  std::set<Span> doubles; // every `double` that reached the parser, understood or not
+  TypeTokens types;
   std::set<Wrap> wraps;
   std::set<Span> shared; // conversions whose text is compiled in several ways: each follows its context's type
   std::map<Span, ClassFact> members;                // by the opening brace of a class
   std::map<std::string, std::vector<bool>> reached; // by real path: the offsets of tokens that reached the parser
   std::set<Span> skipped;                           // parts of an #if that are not taken
-  std::map<Span, Consumed> consumed;                // tokens that may not have reached the parser
   std::set<ConversionFact> conversions;
   std::set<Span> comparisons;            // of REALs, by the operator
   std::set<Span> printed;                // declarations whose text the program prints

@@ -24,7 +24,7 @@ template <class Take> void visit(Take &take, Diagnostic &object)
 template <class Take> void visit(Take &take, Span &object)
   SYMREAL_CONSISTS_OF(file, begin, end)
 template <class Take> void visit(Take &take, TypeToken &object)
-  SYMREAL_CONSISTS_OF(span, replacement, why)
+  SYMREAL_CONSISTS_OF(fate, replacement, why)
 template <class Take> void visit(Take &take, Wrap &object)
   SYMREAL_CONSISTS_OF(span, use, detail)
 template <class Take> void visit(Take &take, Section &object)
@@ -101,7 +101,7 @@ template <class Take> void visit(Take &take, ConfiguredKernel &object)
 template <class Take> void visit(Take &take, ConfiguredExternal &object)
   SYMREAL_CONSISTS_OF(function, pure, clauses, derivatives)
 template <class Take> void visit(Take &take, Facts &object)
-  SYMREAL_CONSISTS_OF(files, types, doubles, wraps, shared, members, reached, skipped, consumed, conversions,
+  SYMREAL_CONSISTS_OF(files, types, wraps, shared, members, reached, skipped, conversions,
     comparisons, printed, quoted, pasted, text_calls, pragmas, lists, arithmetic, choices, asking, by_hand, definitions,
     changeable, exported, uses, links, linked_words, names, deciding, decisions, externals, configured_externals, kernel_functions, taken_names,
     include_dirs, read, diagnostics, broken, makes_text)

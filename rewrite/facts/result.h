@@ -21,13 +21,13 @@ struct Edit {
   auto operator<=>(Edit const &) const = default;
 };
 
-// Fate of a `double` that a file spells.
+// Fate of a `double` that a file spells. If expansions of a macro, or sources, differ, the last of these holds.
 enum class Fate {
-  converted, // to REAL
+  inactive,  // not compiled in this configuration
   follows,   // converted like its neighbours: the syntax tree does not show it
   passive,   // compiled, and stays
   diagnosed, // compiled, and an error says why it cannot be converted
-  inactive,  // not compiled in this configuration
+  converted, // to REAL
 };
 
 // One entry of the ledger: there is one for each `double` and `float` in the files of the roots.

@@ -150,19 +150,20 @@ public:
 
   void MacroExpands(Token const &name, MacroDefinition const &definition, SourceRange,
                     MacroArgs const *arguments) override {
-    note(name, Consumed::macro_name);
+    note(name, macro_name);
     MacroInfo const *macro = definition.getMacroInfo();
     if (!arguments || !macro) return;
     for (unsigned i = 0; i < macro->getNumParams(); ++i)
       for (Token const *token = arguments->getUnexpArgument(i); token->isNot(tok::eof); ++token)
-        note(*token, Consumed::dropped_argument);
+        note(*token, dropped_argument);
   }
 
 private:
-  void note(Token const &token, Consumed how) {
+  void note(Token const &token, Passive how) {
     IdentifierInfo const *word = token.getIdentifierInfo();
     if (!word || !word->isStr("double")) return;
-    if (std::optional<Span> const span = map_.token(token.getLocation())) facts_.consumed.try_emplace(*span, how);
+    if (std::optional<Span> const span = map_.token(token.getLocation()))
+      symreal::rewrite::note(facts_.types, *span, {Fate::inactive, "", how});
   }
 
   SourceMap const &map_;

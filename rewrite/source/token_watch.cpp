@@ -110,7 +110,8 @@ void watch_tokens(Preprocessor &preprocessor, SourceMap const &map, std::string 
           reached[first->begin] = true;
         }
         if (token.is(tok::kw_double)) {
-          if (std::optional<Span> const span = map.token(token.getLocation())) facts.doubles.insert(*span);
+          if (std::optional<Span> const span = map.token(token.getLocation()))
+            note(facts.types, *span, {Fate::follows});
         } else if (token.is(tok::identifier)) {
           names.note(token.getIdentifierInfo()->getName(), token.getLocation());
           if (!map.language().CPlusPlus20) note_keyword_name(token, map, facts);

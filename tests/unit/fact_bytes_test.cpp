@@ -9,7 +9,7 @@ Facts some_facts() {
   Facts facts;
   Span const span{"/a/model.cpp", 10, 300};
   facts.files["/a/model.cpp"] = {"model.cpp", "model.cpp", "double x;\n", {{span, true}}, {{3, "X"}}, {{1, 2}}, {}};
-  facts.types = {{span, "", not_passive}, {{"/a/model.h", 1, 2}, "REAL", constant_variable}};
+  facts.types = {{span, {Fate::follows}}, {{"/a/model.h", 1, 2}, {Fate::converted, "REAL", constant_variable}}};
   facts.wraps = {{span, Use::padding, "a"}, {span, Use::read, ""}};
   facts.reached["/a/model.cpp"] = std::vector<bool>{true, true, false, true};
   facts.reached["/a/model.h"] = std::vector<bool>(1000, true);

@@ -127,7 +127,7 @@ void print_dependence(std::ostream &out, rewrite::Result const &result) {
 }
 
 void print_places(std::ostream &out, rewrite::Result const &result) {
-  static constexpr std::array<char const *, 5> fates = {"converted", "converted", "passive", "diagnosed", "inactive"};
+  static constexpr std::array<char const *, 5> fates = {"inactive", "converted", "passive", "diagnosed", "converted"};
   out << "what stays\n";
   for (rewrite::File const &file : result.files)
     for (rewrite::Spelling const &one : file.ledger)
@@ -160,8 +160,8 @@ Json to_json(Tally const &tally) {
 }
 
 Json to_json(rewrite::Spelling const &spelling) {
-  static constexpr std::array<char const *, 5> fates = {"converted", "converted as neighbours", "passive", "diagnosed",
-                                                        "inactive"};
+  static constexpr std::array<char const *, 5> fates = {"inactive", "converted as neighbours", "passive", "diagnosed",
+                                                        "converted"};
   Json json = {{"line", spelling.place.line},
                {"column", spelling.place.column},
                {"type", spelling.type},
