@@ -90,21 +90,26 @@ def calls(kernels, generated):
     return "\n".join(lines) + "\n"
 
 
-def glue(kernel, path, banner):
-    """The generated code of one kernel, which lies at `path`, as a function of flat arrays, in a file with that of others."""
+def beside_others(name, path, own=(), before=()):
+    """Lines that include generated code, which lies at `path`, in a file with that of others: its helpers and what is its `own` begin
+    with the kernel's name there, also in the lines `before`."""
     with open(path) as file:
         helpers = re.findall(r"^(?:static [\w ]*?(?=\w+[(\[])|union |struct )(\w+)", file.read(), flags=re.M)
-    own = {name: f"{kernel.name}_{name}" for name in ["compute", "preprocess", "guard_text", *dict.fromkeys(helpers)]}
-    lines = [f"#define {name} {other}" for name, other in own.items()]
-    lines += [f"#define {kernel.name.upper()}_H", declarations(banner), f'#include "{path}"']
-    lines += [f"int {kernel.name}_generated(double const *in, double *out);",
-              f"int {kernel.name}_generated(double const *from, double *into) {{",
+    renamed = list(dict.fromkeys([*own, *helpers]))
+    return [*(f"#define {one} {name}_{one}" for one in renamed), *before, f'#include "{path}"', *(f"#undef {one}" for one in renamed)]
+
+
+def glue(kernel, path, banner):
+    """The generated code of one kernel as a function of flat arrays."""
+    name = kernel.name
+    lines = beside_others(name, path, ["compute", "preprocess", "guard_text"], [f"#define {name.upper()}_H", declarations(banner)])
+    lines += [f"int {name}_generated(double const *in, double *out);",
+              f"int {name}_generated(double const *from, double *into) {{",
               f"  double constants[{banner['constants'] + 1}] = {{0}};",
-              f"  preprocess(from + {banner['inputs']}, constants);" if banner["constants"] else "",
-              "  return compute(from, constants, into);" if banner.get("guards") else
-              "  compute(from, constants, into);\n  return 0;",
+              f"  {name}_preprocess(from + {banner['inputs']}, constants);" if banner["constants"] else "",
+              f"  return {name}_compute(from, constants, into);" if banner.get("guards") else
+              f"  {name}_compute(from, constants, into);\n  return 0;",
               "}"]
-    lines += [f"#undef {name}" for name in own]
     return "\n".join(lines) + "\n"
 
 

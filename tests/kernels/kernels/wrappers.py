@@ -1,17 +1,18 @@
 """Wrappers of a batch: a program in which one stands in the place of the kernel computes what the original program does, call by
 call, also where what is baked in is another value than the recorded one, and where guards fail.
 
-   batch.c, calls.inc ─▶ original                            ─▶ lines ─┐
-   wrapper (+ original under another name), kernel.c, calls  ─▶ lines ─┴ compared
+   batch.c, calls.inc                                         ─▶ original ─▶ lines ─┐
+   wrappers (+ originals under other names), generated, calls ─▶ swapped  ─▶ lines ─┴ compared
 
-A wrapper that is a copy of the batch has all kernels that share it.
+A program has the wrappers of all kernels, and runs once for each. If it does not compile, each wrapper that is a file of its own is
+in a program alone.
 """
 import glob
 import os
 import re
 
 from .outcome import Found, Outcome
-from .program import calls
+from .program import beside_others, calls
 from .session import GENERATED, HERE, REFERENCE, SANITIZERS, SUFFIX, SUSPICIOUS, Session
 
 CALLS = "-DKERNEL_CALLS=\"calls.inc\""
@@ -24,7 +25,7 @@ class WrapperSession(Session):
         super().__init__(*words, **named)
         self.route = [*self.route, "--wrapper"]
         self.compiler = ["g++", "-std=c++20"] if self.language == "cxx" else ["gcc"]
-        self.called = []
+        self.called, self.wrappers = [], {}
 
     def compile(self, *words):
         done = self.run(*self.compiler, *REFERENCE, "-I", os.path.join(HERE, "Inputs"), "-I", self.directory, *words)
@@ -45,8 +46,9 @@ class WrapperSession(Session):
             outcome.found.append(Found(accepted[0], "harness", message, self.directory))
             return outcome
         self.run("objcopy", "--weaken", "original.o", "weak.o")
-        for kernel in accepted:
-            self.judge(kernel, seed, outcome)
+        copies = [k for k in accepted if self.is_copy(k)]
+        for group in filter(None, (copies, [k for k in accepted if k not in copies])):
+            self.judge_all(group, seed, outcome)
         if self.verify:
             self.verify_all(accepted, outcome)
         return outcome
@@ -56,56 +58,71 @@ class WrapperSession(Session):
         prefix = self.banner(kernel).get("prefix")
         return prefix + "_" if prefix else ""
 
-    def wrapper(self, kernel):
-        """Path and text of the kernel's wrapper: its own, or a copy that several kernels share; None if it has none."""
+    def find_wrappers(self, kernels):
+        """Path and text of each kernel's wrapper: its own, or a copy that several kernels share."""
+        found = {}
         for path in sorted(glob.glob(os.path.join(self.directory, "out", f"*_wrapper{SUFFIX[self.language]}"))):
             with open(path) as file:
                 text = file.read()
-            if re.search(rf"\b{self.prefix(kernel)}compute\(double const", text):
-                return os.path.relpath(path, self.directory), text
-        return None
+            for prefix in re.findall(r"\b(\w*)compute\(double const", text):
+                found.setdefault(prefix, (os.path.relpath(path, self.directory), text))
+        return {k.name: found[prefix] for k in kernels if (prefix := self.prefix(k)) in found}
 
-    def swap(self, kernel):
-        """The program with the wrapper in place of the kernel; a message where something does not compile."""
-        wrapper, text = self.wrapper(kernel)
-        compute, is_copy = self.prefix(kernel) + "compute", "KERNEL_CALLS" in text
-        called = [k for k in self.called if k is kernel or is_copy and self.wrapper(k)[0] == wrapper]
-        objects = ["count.o", "harness.o"]
-        for one in called:
-            done = self.run("gcc", *GENERATED, "-c", f"out/{one.name}.c", "-o", f"{one.name}_generated.o")
-            objects.append(f"{one.name}_generated.o")
-            if done.returncode != 0:
-                return done.stderr[:3000]
-        with open(os.path.join(self.directory, "count.c"), "w") as file:
-            file.write(f"extern int computed;\nint __real_{compute}(double const *, double const *, double *);\n"
-                       f"int __wrap_{compute}(double const *in, double const *constants, double *out) {{\n"
-                       f"  int guard = __real_{compute}(in, constants, out);\n  computed += {'guard == 0' if self.guards(kernel) else '1'};\n"
-                       "  return guard;\n}\n")
+    def is_copy(self, kernel):
+        return "KERNEL_CALLS" in self.wrappers[kernel.name][1]
+
+    def write_lines(self, name, lines):
+        with open(os.path.join(self.directory, name), "w") as file:
+            file.write("\n".join(lines) + "\n")
+
+    def swap(self, kernels):
+        """The program with wrappers in place of the kernels, all of which are copies or none; a message where something does not compile."""
+        self.write_lines("generated.c", [line for k in kernels for line in beside_others(k.name, os.path.join(self.directory, "out", k.name + ".c"))])
+        done = self.run("gcc", *GENERATED, "-c", "generated.c", "-o", "generated.o")
+        if done.returncode != 0:
+            return done.stderr[:3000]
+        computes = {self.prefix(k) + "compute": self.guards(k) for k in kernels}
+        self.write_lines("count.c", ["extern int computed;"] + [
+            f"int __real_{compute}(double const *, double const *, double *);\n"
+            f"int __wrap_{compute}(double const *in, double const *constants, double *out) {{\n"
+            f"  int guard = __real_{compute}(in, constants, out);\n  computed += {'guard == 0' if guards else '1'};\n"
+            "  return guard;\n}" for compute, guards in computes.items()])
         self.run("gcc", "-O1", "-c", "count.c", "-o", "count.o")
-        if is_copy:
-            message = self.compile(CALLS, "-I", "out", "-c", wrapper, "-o", "wrapper.o")
-            objects += ["wrapper.o"]
-        else:
-            message = self.compile("-I", "out", "-c", wrapper, "-o", "wrapper.o") or \
-                self.compile(f"-D{kernel.name}={self.prefix(kernel)}fallback", "-Dmain=another_main", "-c", os.path.basename(self.path), "-o", "fallback.o")
+        objects, is_copy = ["generated.o", "count.o", "harness.o"], self.is_copy(kernels[0])
+        for number, path in enumerate(sorted({self.wrappers[k.name][0] for k in kernels})):
+            objects.append(f"wrapper{number}.o")
+            message = self.compile(*[CALLS] * is_copy, "-I", "out", "-c", path, "-o", objects[-1])
+            if message:
+                return message
+        if not is_copy:
+            message = self.compile(*(f"-D{k.name}={self.prefix(k)}fallback" for k in kernels), "-Dmain=another_main", "-c",
+                                   os.path.basename(self.path), "-o", "fallback.o")
+            if message:
+                return message
             self.run("objcopy", "--weaken", "fallback.o")
-            objects += ["wrapper.o", "weak.o", "fallback.o"]
+            objects += ["weak.o", "fallback.o"]
         # A reference of the weakened objects to a library is weak as well.
-        return message or self.compile(*objects, f"-Wl,--wrap={compute}", "-Wl,--no-as-needed", "-lm", "-o", "swapped")
+        return self.compile(*objects, *(f"-Wl,--wrap={compute}" for compute in computes), "-Wl,--no-as-needed", "-lm", "-o", "swapped")
 
     def guards(self, kernel):
         return bool(self.banner(kernel).get("guards"))
 
     def stops(self, kernel):
         """Another value that is baked in ends the program, which has not got the original to call."""
-        text = self.wrapper(kernel)[1]
-        return "KERNEL_CALLS" not in text and "fallback" not in text
+        return not self.is_copy(kernel) and "fallback" not in self.wrappers[kernel.name][1]
+
+    def judge_all(self, kernels, seed, outcome):
+        message = self.swap(kernels)
+        if message and len(kernels) > 1 and not self.is_copy(kernels[0]):
+            for kernel in kernels:
+                self.judge_all([kernel], seed, outcome)
+        elif message:
+            outcome.found += [Found(k, "wrapper does not compile", message, self.directory) for k in kernels]
+        else:
+            for kernel in kernels:
+                self.judge(kernel, seed, outcome)
 
     def judge(self, kernel, seed, outcome):
-        message = self.swap(kernel)
-        if message:
-            outcome.found.append(Found(kernel, "wrapper does not compile", message, self.directory))
-            return
         plains = 0 if self.stops(kernel) else len(kernel.interface.plains)
         words = [self.mode, str(seed), str(self.samples), kernel.name, str(plains)]
         original, swapped = self.run("./original", *words).stdout.splitlines(), self.run("./swapped", *words)
@@ -145,4 +162,6 @@ class WrapperSession(Session):
 
     def generate(self, kernels, outcome):
         accepted = super().generate(kernels, outcome)
-        return [k for k in accepted if self.wrapper(k) or outcome.found.append(Found(k, "no wrapper", "", self.directory))]
+        self.wrappers = self.find_wrappers(accepted)
+        outcome.found += [Found(k, "no wrapper", "", self.directory) for k in accepted if k.name not in self.wrappers]
+        return [k for k in accepted if k.name in self.wrappers]
