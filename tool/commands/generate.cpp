@@ -172,7 +172,7 @@ std::vector<Product> products_of(program::Recorded &recorded, program::Front con
 }
 
 // The products of all kernels, with their wrappers. Nullopt after an error was reported.
-std::optional<std::vector<Product>> with_wrappers(std::vector<std::vector<Product>> kernels, Wrappers const &wrappers,
+std::optional<std::vector<Product>> with_wrappers(std::vector<std::vector<Product>> kernels, Wrappers &wrappers,
                                                   std::vector<Diagnostic> told, Console &console) {
   std::vector<std::vector<OutputFile>> const files = wrappers.files(told);
   bool is_refused = false;

@@ -2,6 +2,7 @@
 
 #include "engine/graph/names.h"
 #include "engine/support/files.h"
+#include "engine/support/parallel.h"
 #include "engine/support/text.h"
 #include "program/wrapper/baked_values.h"
 #include "program/wrapper/wrapper_text.h"
@@ -14,6 +15,7 @@
 #include <regex>
 #include <set>
 #include <string>
+#include <thread>
 
 namespace symreal::tool {
 namespace {
@@ -157,14 +159,25 @@ void Wrappers::add(program::Recorded const &recorded, Graph const &graph, Emitte
   if (why.empty()) {
     std::string const suffix = fs::path(kernel.source).extension() == ".c" ? ".c" : ".cpp";
     own = {{wrapper.string() + suffix, own_file(recorded, graph, prefix, directory)}};
-    why = compiler_objection(front_, kernel, function.file, own, &own.front());
-    if (!why.empty()) why = "a file of its own does not compile: " + why;
   }
   std::vector<std::string> blocks = preamble(recorded, graph, prefix);
   blocks.insert(blocks.begin(), c_declarations(graph, prefix));
   replaced_.push_back({kernel, wrapper.string(), std::move(own), why, copied_with(front_, function.file),
                        program::compares_classes(recorded), std::move(blocks),
                        try_statements(recorded, graph, prefix)});
+}
+
+// Compiles the files of their own, except those of functions that are in a copy anyway.
+void Wrappers::try_own() {
+  std::set<std::size_t> copied;
+  for (Group const &group : groups()) copied.insert(group.begin(), group.end());
+  in_parallel(replaced_.size(), std::thread::hardware_concurrency(), [&](std::size_t k) {
+    Replaced &one = replaced_[k];
+    if (copied.contains(k)) return;
+    std::string const objection =
+        compiler_objection(front_, one.kernel, one.kernel.signature.redefinition.file, one.own, &one.own.front());
+    if (!objection.empty()) one.why = "a file of its own does not compile: " + objection;
+  });
 }
 
 // Files to copy for the functions of the group.
@@ -318,7 +331,8 @@ void Wrappers::tell(Group const &group, Copies const &made, std::vector<OutputFi
   }
 }
 
-std::vector<std::vector<OutputFile>> Wrappers::files(std::vector<Diagnostic> &told) const {
+std::vector<std::vector<OutputFile>> Wrappers::files(std::vector<Diagnostic> &told) {
+  try_own();
   std::vector<std::vector<OutputFile>> all;
   for (Replaced const &one : replaced_) all.push_back(one.own);
   for (Group const &group : groups()) {

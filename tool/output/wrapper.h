@@ -18,7 +18,7 @@
 
 namespace symreal::tool {
 
-// Wrappers of the kernels of one run. Each is compiled under its source's flags before it is returned.
+// Wrappers of the kernels of one run. Those that are returned have been compiled under their source's flags.
 //
 // Kernels of one source whose functions are replaced in a copy share it, so that one program can have all of them. If
 // one of them needs a copy all are in it: a file beside a copy that has the function as well could not be linked.
@@ -32,7 +32,7 @@ public:
            std::string const &generated);
   // Files of each kernel, in the order of the calls of `add`; copies are the files of the first kernel in them.
   // `told`: instructions for use, and as errors the kernels that have no wrapper.
-  std::vector<std::vector<OutputFile>> files(std::vector<Diagnostic> &told) const;
+  std::vector<std::vector<OutputFile>> files(std::vector<Diagnostic> &told);
 
 private:
   // Text that takes the place of one function.
@@ -54,6 +54,7 @@ private:
     std::string sources;                                       // that they stand for, as the user names them
     std::vector<std::pair<std::size_t, std::string>> compiled; // copies of sources: their numbers, the sources' paths
   };
+  void try_own();
   std::set<std::string> copied_for(Group const &group) const;
   std::vector<Group> groups() const;
   std::string top_of(Group const &here) const;
