@@ -78,7 +78,8 @@ private:
   int descriptor_ = -1;
 };
 
-// Data of the child, prepared before the fork: between fork and exec nothing may allocate.
+// Data of the child, prepared before the fork: between fork and exec nothing may allocate, or change the parent's
+// memory.
 struct Prepared {
   std::vector<char *> arguments, environment;
   RequestFile request;
@@ -295,7 +296,8 @@ Outcome run(Command const &command, LineSink const &sink) {
   std::optional<OpenedFiles> opened;
   if (command.notes_opened) opened.emplace();
   pid_t parent = getpid();
-  pid_t child = output.read_end < 0 || failure.read_end < 0 ? -1 : fork();
+  // vfork copies no page tables, which are large while syntax trees are in memory.
+  pid_t child = output.read_end < 0 || failure.read_end < 0 ? -1 : vfork();
   if (child < 0) return {Ending::not_started, errno, 0};
   if (child == 0) become(command, prepared, output, failure, parent, opened ? &*opened : nullptr);
   setpgid(child, child);
