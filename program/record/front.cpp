@@ -1,5 +1,6 @@
 #include "program/record/front.h"
 
+#include "engine/support/text.h"
 #include "program/build/c_macros.h"
 #include "program/build/read_files.h"
 #include "program/record/explain_met.h"
@@ -50,9 +51,12 @@ std::vector<rewrite::Kernel> wanted_kernels(rewrite::Result const &rewritten, Fr
   };
   if (std::ranges::any_of(wanted, is_verified)) std::erase_if(wanted, std::not_fn(is_verified));
   if (request.kernel.empty()) return wanted;
-  std::erase_if(wanted, [&](rewrite::Kernel const &kernel) { return kernel.name != request.kernel; });
-  if (wanted.empty())
-    fail(DiagnosticId::unknown_kernel, {}, "no kernel is named '" + request.kernel + "'; there are: " + list);
+  std::vector<std::string> const chosen = items_of(request.kernel);
+  for (std::string const &name : chosen)
+    if (!names.contains(name))
+      fail(DiagnosticId::unknown_kernel, {}, "no kernel is named '" + name + "'; there are: " + list);
+  std::erase_if(wanted,
+                [&](rewrite::Kernel const &kernel) { return std::ranges::find(chosen, kernel.name) == chosen.end(); });
   return wanted;
 }
 

@@ -19,7 +19,7 @@ struct FrontRequest {
   rewrite::Request source; // excluded sources are compiled unchanged
   BuildRequest build;      // compilers and linking; its sources follow from `source`
   RunOptions run;
-  std::string kernel;                     // record only this kernel; empty: all
+  std::string kernel;                     // record only these kernels, between commas; empty: all
   std::vector<std::string> called = {};   // record only these kernels, which a driver program calls; empty: all
   std::vector<std::string> verified = {}; // record only those of these kernels that exist; if none does, all
   bool keep = false;                      // keep the workspace

@@ -19,7 +19,8 @@
 // RUN: %symreal generate %s --kernel cube -o %t/one.c
 // RUN: FileCheck %s --check-prefix=CUBE < %t/one.c
 // CUBE: "kernel":"cube"
-// RUN: not %symreal generate %s --kernel sphere -o %t/none.c 2>&1 | FileCheck %s --check-prefix=SPHERE
+// RUN: %symreal generate %s --kernel "cube, square" -o %t/all --check
+// RUN: not %symreal generate %s --kernel cube,sphere -o %t/none.c 2>&1 | FileCheck %s --check-prefix=SPHERE
 // SPHERE: error: no kernel is named 'sphere'; there are: {{.*}}[SYM013]
 // RUN: ls %t | count 3
 #include <cstdio>

@@ -1,6 +1,7 @@
 #include "tool/calls/driver_program.h"
 
 #include "engine/support/files.h"
+#include "engine/support/text.h"
 #include "tool/calls/call_binding.h"
 
 #include <algorithm>
@@ -263,12 +264,14 @@ private:
   std::vector<Driver> drivers_;
 };
 
-// The call of the kernel with this name; all calls if the name is empty.
+// The calls of the kernels with these names; all calls if there are none.
 std::vector<rewrite::ConfiguredText> calls_of(std::vector<rewrite::ConfiguredText> const &calls,
-                                              std::string const &kernel) {
+                                              std::string const &kernels) {
+  std::vector<std::string> const chosen = items_of(kernels);
   std::vector<rewrite::ConfiguredText> wanted;
   for (rewrite::ConfiguredText const &one : calls)
-    if (kernel.empty() || last_name(parse_call_spec(one).function.text) == kernel) wanted.push_back(one);
+    if (kernels.empty() || std::ranges::find(chosen, last_name(parse_call_spec(one).function.text)) != chosen.end())
+      wanted.push_back(one);
   return wanted;
 }
 

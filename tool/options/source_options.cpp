@@ -195,8 +195,8 @@ void SourceOptions::add_to(CLI::App &app) {
   app.add_flag("--run-on", front.run.run_on, "Let the program run to its end after the last kernel");
   app.add_flag("--keep", front.keep, "Keep the build directory and print its path");
   app.add_option("--kernel", front.kernel,
-                 "Select a kernel by name, or call a function without a program: 'f(x[0:3]=0.5, n=3) -> y[0:3]'")
-      ->type_name("NAME|CALL");
+                 "Select kernels by name, or call a function without a program: 'f(x[0:3]=0.5, n=3) -> y[0:3]'")
+      ->type_name("NAMES|CALL");
 }
 
 program::FrontRequest SourceOptions::request(CompilerFlags const &flags) const {
