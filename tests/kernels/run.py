@@ -8,18 +8,18 @@ crash, generated code that does not compile, or state that is lost without a wor
 import argparse
 import os
 import shutil
+import signal
 import sys
 import tempfile
-import time
 from concurrent.futures import ThreadPoolExecutor
 
 from kernels.features import OPEN, OPEN_INSTRUCTIONS, features
 from kernels.kernel import make_kernel
 from kernels.minimise import minimised
-from kernels.outcome import Outcome
 from kernels.program import source
 from kernels.reduce import Case, reduced
-from kernels.session import Session
+from kernels.session import Session, stop
+from kernels.tally import Tally
 from kernels.wrappers import WrapperSession
 
 
@@ -32,7 +32,7 @@ def arguments():
     parser.add_argument("--language", default="c,cxx")
     parser.add_argument("--decisions", default="error,guard,select")
     parser.add_argument("--fp", default="finite,finite,strict", help="modes, in turn from batch to batch")
-    parser.add_argument("--batch", type=int, default=40, help="kernels in a program")
+    parser.add_argument("--batch", type=int, default=100, help="kernels in a program")
     parser.add_argument("--shard", default="1/1", help="K/N: only the batches K, K+N, ...")
     parser.add_argument("--samples", type=int, default=60, help="sequences of four calls for each kernel")
     parser.add_argument("--jobs", "-j", type=int, default=1)
@@ -51,6 +51,7 @@ def arguments():
     parser.add_argument("--index", type=int, help="only this kernel of each language, policy and mode")
     parser.add_argument("--minimise", action="store_true", help="leave out statements of a kernel as long as its fault stays")
     parser.add_argument("--reduce", metavar="SECONDS", type=int, help="have C-Reduce shorten what --minimise leaves, for so long")
+    parser.add_argument("--tally", metavar="FILE", help="record each finished batch there, and leave out those that it has already")
     parser.add_argument("--keep", metavar="DIR", help="keep the programs of all batches there")
     options = parser.parse_args()
     if options.wrapper and (options.reduce or options.oracle):
@@ -115,7 +116,7 @@ def execute(options, language, policy, mode, indices):
             for found in outcome.found:
                 case = Case(of_session, found.kernel, found.kind, seed)
                 found.program = reduced(case, source([found.kernel], language)[0], options.reduce, options.jobs)
-        return language, policy, outcome
+        return outcome
     finally:
         if not options.keep:
             shutil.rmtree(directory)
@@ -139,27 +140,32 @@ def main():
                 seed = kernel_seed(options, language, policy, mode, options.print)
                 print(make_kernel(f"k{options.print}", seed, language, policy, mode, excluded(options, language), often(options)).text)
         return 0
-    start, totals = time.monotonic(), {}
+    tally = Tally(options)
+
+    def run(batch):
+        tally.total(*batch[:2])  # in the order of the batches
+        if tally.takes(*batch):
+            return
+        outcome = execute(options, *batch)
+        for found in outcome.found:
+            show(found, options.reduce)
+        tally.add(batch, outcome)
+
+    def interrupt(*_):
+        raise KeyboardInterrupt
+    interrupted = False
+    for number in (signal.SIGINT, signal.SIGTERM):
+        signal.signal(number, interrupt)
     with tempfile.TemporaryDirectory(prefix="kernels-cache-") as own, ThreadPoolExecutor(options.jobs) as pool:
         options.cache = os.path.abspath(options.cache or own)
-        for language, policy, outcome in pool.map(lambda b: execute(options, *b), list(batches(options))):
-            totals.setdefault((language, policy), Outcome()).add(outcome)
-            for found in outcome.found:
-                show(found, options.reduce)
-    print("language policy  kernels  equal  refused  different  verified   samples  guarded  outside")
-    for (language, policy), o in totals.items():
-        print(f"{language:8} {policy:7} {o.count:7} {o.compared:6} {sum(o.refused.values()):8} {len(o.found):10} {o.verified:9} "
-              f"{o.samples:9} {o.guarded:8} {o.outside:8}")
-    for (language, policy), o in totals.items():
-        print(f"refused, {language} {policy}: " + ", ".join(f"{why} {n}" for why, n in o.refused.most_common()))
-    if options.oracle:
-        for (language, policy), o in totals.items():
-            print(f"recorded twice, {language} {policy}: {o.recorded_twice} equal; not taken: "
-                  + ", ".join(f"{why} {n}" for why, n in o.not_twice.most_common()))
-    kernels, seconds = sum(o.count for o in totals.values()), time.monotonic() - start
-    faults = sum(len(o.found) for o in totals.values())
-    print(f"{kernels} kernels, {faults} faults, {seconds:.0f} s, {60 * kernels / seconds:.0f} kernels a minute", flush=True)
-    return 1 if faults else 0
+        try:
+            list(pool.map(run, batches(options)))
+        except KeyboardInterrupt:
+            interrupted = True
+            pool.shutdown(wait=False, cancel_futures=True)
+            stop()
+    tally.show()
+    return 1 if tally.faults() else 128 + signal.SIGINT if interrupted else 0
 
 
 if __name__ == "__main__":

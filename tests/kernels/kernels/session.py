@@ -1,12 +1,13 @@
 """One batch: one program of many kernels, generated in one run, compared by the harness.
 
 A kernel that the tool refuses takes its batch along, so the kernels at whose lines errors stand are counted as refused and left
-out, and the rest runs again.
+out, and the rest runs again: of the same program if that is compiled already.
 """
 import json
 import os
 import re
 import subprocess
+import threading
 
 from .features import MUST_BE_REFUSED, refused
 from .messages import ERROR, calls_as_errors
@@ -25,6 +26,20 @@ GENERATED = ["-std=c99", "-O2", "-ffp-contract=off", "-fno-tree-slp-vectorize", 
 OF_POLICIES = {"SYM016", "SYM051", "SYM095"}
 
 
+running, stopped = set(), threading.Event()  # of all sessions
+
+
+class Stopped(Exception):
+    """The run has been interrupted."""
+
+
+def stop():
+    """Ends the programs of all sessions."""
+    stopped.set()
+    for process in list(running):
+        process.terminate()
+
+
 class Session:
     def __init__(self, symreal, language, policy, mode, directory, samples=60, verify=False, oracle=False, quick=True,
                  timeout=3600, instructions=False, cache=None):
@@ -36,8 +51,21 @@ class Session:
 
     def run(self, *words):
         environment = {**os.environ, "XDG_CACHE_HOME": self.cache}
-        return subprocess.run(words, capture_output=True, text=True, cwd=self.directory, timeout=self.timeout, errors="replace",
-                              env=environment)
+        with subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, cwd=self.directory, errors="replace",
+                              env=environment) as process:
+            running.add(process)
+            try:
+                if stopped.is_set():
+                    raise Stopped
+                stdout, stderr = process.communicate(timeout=self.timeout)
+            except BaseException:
+                process.kill()
+                raise
+            finally:
+                running.discard(process)
+        if stopped.is_set():
+            raise Stopped
+        return subprocess.CompletedProcess(words, process.returncode, stdout, stderr)
 
     def symreal_run(self, command, *words):
         quick = [f"--cxx={os.path.join(HERE, 'unoptimised.py')}"] if self.quick and self.language == "c" else []
@@ -51,13 +79,17 @@ class Session:
 
     def generate(self, kernels, outcome):
         """The kernels that the tool accepts; the generated code of all of them lies in out/."""
+        written = []
         while kernels:
-            places = self.places = self.write(kernels)
+            if not written:
+                written, places = kernels, self.write(kernels)
+                self.places = places
+            chosen = [] if written is kernels else ["--kernel=" + ",".join(k.name for k in kernels)]
             self.run("rm", "-rf", "out")
             os.makedirs(os.path.join(self.directory, "out"))
             try:
                 done = self.symreal_run("generate", "-o", "out/", f"--decisions={self.policy}", f"--fp={self.mode}",
-                                        *self.route)
+                                        *self.route, *chosen)
             except subprocess.TimeoutExpired:
                 done = subprocess.CompletedProcess([], 1, "", "time is over")
             if done.returncode == 0:
@@ -71,9 +103,12 @@ class Session:
                 for kernel in kernels:
                     if kernel.name in named:
                         self.judge_refusal(kernel, named[kernel.name], done.stderr, outcome)
-                kernels = [k for k in kernels if k.name not in named]
+                left = [k for k in kernels if k.name not in named]
+                if len(left) == len(kernels) or not all(OF_POLICIES.issuperset(ids) for ids in named.values()):
+                    written = []  # a kernel is refused even where it is not recorded
+                kernels = left
             else:
-                half = len(kernels) // 2
+                written, half = [], len(kernels) // 2
                 accepted = self.generate(kernels[:half], outcome) + self.generate(kernels[half:], outcome)
                 if len(accepted) == len([k for k in kernels if not k.expected]):
                     outcome.found.append(Found(kernels[0], "together", done.stderr[-2000:], self.directory))
