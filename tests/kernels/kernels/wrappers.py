@@ -4,8 +4,8 @@ call, also where what is baked in is another value than the recorded one, and wh
    batch.c, calls.inc                                         ─▶ original ─▶ lines ─┐
    wrappers (+ originals under other names), generated, calls ─▶ swapped  ─▶ lines ─┴ compared
 
-A program has the wrappers of all kernels, and runs once for each. If it does not compile, each wrapper that is a file of its own is
-in a program alone.
+Kernels that need nothing else of their file are in one program, the others in another one. It runs once for each of its kernels. If
+it does not compile, each wrapper that is a file of its own is in a program alone.
 """
 import glob
 import os
@@ -32,6 +32,14 @@ class WrapperSession(Session):
         return done.stderr[:3000] if done.returncode != 0 else None
 
     def execute(self, kernels, seed):
+        """A kernel that needs nothing else of its file has a wrapper in a file of its own if no other kernel there needs a copy."""
+        alone = [k for k in kernels if k.text.lstrip().startswith("#pragma symreal function")]
+        outcome = Outcome()
+        for group in filter(None, (alone, [k for k in kernels if k not in alone])):
+            outcome.add(self.execute_program(group, seed))
+        return outcome
+
+    def execute_program(self, kernels, seed):
         outcome = Outcome(count=len(kernels))
         accepted = self.generate(kernels, outcome)
         if not accepted:
