@@ -21,7 +21,7 @@ public:
   // been used for long, down to `most_bytes`, if something was added and no run has pruned within the last minute.
   // Several threads call `damaged` with the paths of damaged entries.
   explicit CacheDirectory(std::string path, std::function<void(std::string const &)> damaged = {},
-                          std::uint64_t most_bytes = std::uint64_t{2} << 30)
+                          std::uint64_t most_bytes = std::uint64_t{5} << 30)
       : path_(std::move(path)),
         damaged_(std::move(damaged)),
         most_bytes_(most_bytes) {}
