@@ -34,7 +34,7 @@ Subject::Subject(Front const &front, RunOptions const &run, Recorded const &reco
       completed_(with_derivative_functions(recorded.graph, banner)),
       changeable_(front.workspace->file("changeable")),
       graph(completed_ ? *completed_ : recorded.graph),
-      code(path, banner, graph, {}, *front.workspace),
+      code(path, banner, graph, {}, *front.build.cache, *front.workspace),
       in_program(code.needs_program()),
       original_program(has_original() ? front.original_program : front.replay_program),
       later_calls(graph, banner.mode, options.seed,

@@ -7,6 +7,7 @@
 #include "engine/graph/evaluate.h"
 #include "engine/support/files.h"
 #include "engine/support/installation.h"
+#include "program/build/compile.h"
 #include "program/build/process.h"
 
 #include <algorithm>
@@ -109,48 +110,61 @@ static std::string with_c_names(std::string const &path, Banner const &banner) {
 }
 
 GeneratedCode::GeneratedCode(std::string const &path, Banner const &banner, Graph const &graph, CodeBuild const &build,
-                             Workspace const &workspace)
+                             ObjectCache &cache, Workspace const &workspace)
     : banner_(banner),
       object_(workspace.file(build.object)),
       needs_program_(calls_program(graph)) {
   if (banner.is_single && needs_program_)
     refuse(path, "code in single precision calls no functions of other libraries");
-  compile(path, graph, build, workspace);
+  compile(path, graph, build, cache, workspace);
   load(path);
 }
 
-void GeneratedCode::compile(std::string const &path, Graph const &graph, CodeBuild const &build,
+void GeneratedCode::compile(std::string const &path, Graph const &graph, CodeBuild const &build, ObjectCache &cache,
                             Workspace const &workspace) {
   bool const is_cpp = is_generated_cpp(path);
   std::string const &compiler = is_cpp ? build.cxx_compiler : build.compiler;
-  std::vector<std::string> command = {compiler, "-w", "-shared", "-fPIC"};
-  if (!is_cpp) command.push_back("-std=c99");
-  if (banner_.threads > 1 && !build.alone) command.push_back("-fopenmp");
-  command.insert(command.end(), build.flags.begin(), build.flags.end());
-  for (std::string &flag : vector_flags(path, banner_)) command.push_back(std::move(flag));
+  std::vector<std::string> compilation = {compiler, "-w", "-fPIC"}, link = {compiler, "-shared"}, sources;
+  if (!is_cpp) compilation.push_back("-std=c99");
+  if (banner_.threads > 1 && !build.alone)
+    for (auto *words : {&compilation, &link}) words->push_back("-fopenmp");
+  compilation.insert(compilation.end(), build.flags.begin(), build.flags.end());
+  for (std::string &flag : vector_flags(path, banner_)) compilation.push_back(std::move(flag));
   if (is_cpp) { // regardless of the project's standard
     std::string const named = workspace.file("generated_names.cpp");
     write_if_changed(named, with_c_names(path, banner_));
-    command.insert(command.end(), {"-std=c++17", named});
+    compilation.push_back("-std=c++17");
+    sources.push_back(named);
     prefix_ = "symreal_";
   } else {
-    command.push_back(path);
+    sources.push_back(path);
     prefix_ = banner_.prefix.empty() ? "" : banner_.prefix + "_";
   }
   if (needs_program_) { // lazy binding: the functions are looked up when called, and none is called here
     std::string const calls = workspace.file(is_cpp ? "external_calls.cpp" : "external_calls.c");
     std::string const text = c_external_calls(graph);
     write_if_changed(calls, is_cpp ? "extern \"C\" {\n" + text + "}\n" : text);
-    command.insert(command.end(), {calls, "-Wl,-z,lazy"});
+    sources.push_back(calls);
+    link.push_back("-Wl,-z,lazy");
   }
-  command.insert(command.end(), {"-o", object_, "-lm"});
-  Captured compiled = capture({.arguments = command, .environment = {"LC_ALL=C", "GCC_COLORS="}});
-  if (compiled.outcome.ending == Ending::not_started)
-    fail(DiagnosticId::compiler_missing, {},
-         "the compiler '" + compiler + "' cannot be run: " + std::string(std::strerror(compiled.outcome.status)));
-  if (!compiled.outcome.success())
-    fail(DiagnosticId::generated_code_broken, {path}, "the file does not compile",
-         {{{}, compiled.output.substr(0, compiled.output.find("\n\n"))}});
+  auto const check = [&](Captured const &compiled) {
+    if (compiled.outcome.ending == Ending::not_started)
+      fail(DiagnosticId::compiler_missing, {},
+           "the compiler '" + compiler + "' cannot be run: " + std::string(std::strerror(compiled.outcome.status)));
+    if (!compiled.outcome.success())
+      fail(DiagnosticId::generated_code_broken, {path}, "the file does not compile",
+           {{{}, compiled.output.substr(0, compiled.output.find("\n\n"))}});
+  };
+  FilesNow files;
+  for (std::string const &source : sources) {
+    std::string const object = fmt::format("{}.{}.o", object_, link.size());
+    std::vector<std::string> words = compilation;
+    words.insert(words.end(), {"-c", source, "-o", object});
+    check(cache.compile(compiler_run(words), workspace.path(), files, [](Command const &) { return std::nullopt; }));
+    link.push_back(object);
+  }
+  link.insert(link.end(), {"-o", object_, "-lm"});
+  check(Linking(cache.directory(), workspace.path(), files, /*may_keep=*/true).link(compiler_run(link)));
 }
 
 void GeneratedCode::load(std::string const &path) {

@@ -4,6 +4,7 @@
 #include "engine/diagnostics/diagnostic.h"
 #include "engine/graph/graph.h"
 #include "engine/ops/floating_point.h"
+#include "program/build/object_cache.h"
 #include "program/build/workspace.h"
 
 #include <array>
@@ -51,7 +52,7 @@ public:
   // Throws compiler_missing and generated_code_broken. `graph`: the graph that the code was generated from. Code that
   // calls external functions cannot run in this process, which lacks them; the replay program runs it (`object`).
   GeneratedCode(std::string const &path, Banner const &banner, Graph const &graph, CodeBuild const &build,
-                Workspace const &workspace);
+                ObjectCache &cache, Workspace const &workspace);
   ~GeneratedCode();
   GeneratedCode(GeneratedCode const &) = delete;
   GeneratedCode &operator=(GeneratedCode const &) = delete;
@@ -75,7 +76,8 @@ public:
   std::string guard_text(std::size_t number) const;
 
 private:
-  void compile(std::string const &path, Graph const &graph, CodeBuild const &build, Workspace const &workspace);
+  void compile(std::string const &path, Graph const &graph, CodeBuild const &build, ObjectCache &cache,
+               Workspace const &workspace);
   void load(std::string const &path);
 
   template <class Real> struct Numbers;

@@ -77,7 +77,7 @@ public:
     for (std::string const &flag : front.own_flags) words.push_back(flag.c_str());
     code_.emplace(subject.path, subject.banner, subject.graph,
                   CodeBuild{front.build.c_compiler, front.build.compiler, words, "generated-own-flags.so"},
-                  *front.workspace);
+                  *front.build.cache, *front.workspace);
     result_.own_code_ulp.resize(subject.graph.output_count());
   }
 

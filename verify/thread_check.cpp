@@ -49,7 +49,7 @@ public:
   Threads(Subject &subject, Verification &result)
       : subject_(subject),
         alone_(subject.path, subject.banner, subject.graph, CodeBuild{.object = "generated-alone.so", .alone = true},
-               *subject.front.workspace),
+               *subject.front.build.cache, *subject.front.workspace),
         result_(result.threads.emplace(ThreadResult{subject.banner.threads})) {
     if (alone_.needs_program()) program_ = subject.start("the original", subject.original_program, &alone_);
   }

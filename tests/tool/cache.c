@@ -5,7 +5,7 @@
 // RUN: env XDG_CACHE_HOME=%t/cache %tool generate %t/model.c -o %t/out.c --stats --json 2>/dev/null | FileCheck %s --check-prefix=JSON
 // RUN: env XDG_CACHE_HOME=%t/cache %tool generate %t/model.c -o %t/out.c --stats --no-cache 2>&1 | FileCheck %s --check-prefix=ONE
 // RUN: env XDG_CACHE_HOME=%t/cache %tool cache | FileCheck %s --check-prefix=KEPT1
-// verify has the symbolic program, and builds the two others.
+// verify has the symbolic program, and builds the two others and the generated code.
 // RUN: env XDG_CACHE_HOME=%t/cache %tool verify %t/model.c %t/out.c --samples=20 --min-samples=5
 // RUN: env XDG_CACHE_HOME=%t/cache %tool cache | FileCheck %s --check-prefix=KEPT3
 // RUN: env XDG_CACHE_HOME=%t/cache %tool verify %t/model.c %t/out.c --samples=20 --min-samples=5
@@ -32,7 +32,7 @@
 // JSON-NEXT: "compiled": 0,
 // JSON-NEXT: "reused": 1
 // KEPT1: {{^}}2 objects and programs, {{[0-9.]+}} MB, in {{.*}}/cache/symreal
-// KEPT3: {{^}}6 objects and programs, {{[0-9.]+}} MB, in {{.*}}/cache/symreal
+// KEPT3: {{^}}8 objects and programs, {{[0-9.]+}} MB, in {{.*}}/cache/symreal
 // FIVE: input[0]*5.0
 // SEVEN: input[0]*7.0
 // CLEARED: removed {{[0-9]+}} objects and programs
