@@ -10,8 +10,8 @@
 // RUN: FileCheck %s --check-prefix=C < code.c
 // C: "from":"instructions"
 // RUN: %symreal opt code.graph --lang=c -o again.c && FileCheck %s --check-prefix=C < again.c
-// RUN: %symreal verify %s code.c > verified 2>&1 && FileCheck %s --check-prefix=SAME < verified
-// SAME: kernel advance, mode finite: 1000 samples
+// RUN: %symreal verify %s code.c --samples=100 > verified 2>&1 && FileCheck %s --check-prefix=SAME < verified
+// SAME: kernel advance, mode finite: 100 samples
 // SAME: state[0]
 #include <math.h>
 #include <stdint.h>

@@ -25,8 +25,9 @@
 // RUN: FileCheck %s --check-prefix=BACKWARDS --input-file=%t/backwards.c
 // BACKWARDS: for (int j = 0; j < 20; ++j) {
 // BACKWARDS: input[{{[0-9]+}} - 20*i - j]
-// RUN: %symreal verify %s %t/covariance.c %t/triangles.c %t/backwards.c 2>&1 | FileCheck %s --check-prefix=SAME
-// SAME-COUNT-3: mode finite: 1000 samples, 1000 within the premises
+// RUN: %symreal verify %s %t/covariance.c %t/triangles.c %t/backwards.c --samples=100 2>&1 \
+// RUN:   | FileCheck %s --check-prefix=SAME
+// SAME-COUNT-3: mode finite: 100 samples, 100 within the premises
 // SAME-NOT: error
 // RUN: %cc -std=c99 -Wall -Wextra -Wconversion -Wshadow -pedantic -Werror -O1 -c %t/covariance.c -o %t/covariance.o
 // RUN: %cc -std=c99 -Wall -Wextra -Wconversion -Wshadow -pedantic -Werror -O1 -c %t/triangles.c -o %t/triangles.o

@@ -18,8 +18,8 @@
 // CHECK-NEXT: v[j + [[SX]]] = t
 // CHECK-NEXT: v[k + {{[0-9]+}}] = [[X]];
 // CHECK-NEXT: ++k;
-// RUN: %symreal verify %s --kernel moved %t/moved.c 2>&1 | FileCheck %s --check-prefix=SAME
-// SAME: 1000 samples, 1000 within the premises
+// RUN: %symreal verify %s --kernel moved %t/moved.c --samples=100 2>&1 | FileCheck %s --check-prefix=SAME
+// SAME: 100 samples, 100 within the premises
 // REQUIRES: x86_64-linux
 // RUN: gcc -std=c99 -O3 -mavx2 -mfma -I%t -c %t/moved.c -o %t/moved.o
 // RUN: objdump -d %t/moved.o | FileCheck %s --check-prefix=VECTORS
@@ -28,7 +28,7 @@
 // VECTORS-NOT: vf{{n?m(add|sub)}}
 // RUN: %symreal generate %s --kernel used --reroll -o %t/used.c 2>&1 | FileCheck %s --check-prefix=STAGES
 // STAGES: compute: {{[2-4][0-9]}} loops hold
-// RUN: %symreal verify %s --kernel used %t/used.c 2>&1 | FileCheck %s --check-prefix=SAME
+// RUN: %symreal verify %s --kernel used %t/used.c --samples=100 2>&1 | FileCheck %s --check-prefix=SAME
 #include <stdio.h>
 
 enum { links = 40 };

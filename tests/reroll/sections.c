@@ -8,8 +8,8 @@
 // CHECK: input[k + 3] - t{{[0-9]+}}*0.5;
 // CHECK-NOT: row
 // CHECK: {{^  [}]$}}
-// RUN: %symreal verify %s %t/sections.c 2>&1 | FileCheck %s --check-prefix=SAME
-// SAME: mode fast: 1000 samples, 1000 within the premises
+// RUN: %symreal verify %s %t/sections.c --samples=100 2>&1 | FileCheck %s --check-prefix=SAME
+// SAME: mode fast: 100 samples, 100 within the premises
 // RUN: %cc -std=c99 -w -O2 -ffp-contract=off %t/sections.c %t/sections_main.c -lm -o %t/run
 // RUN: %cc -w -O2 -ffp-contract=off %s -o %t/original
 // RUN: %t/run | sed 's/.*= //' | xargs -n 1 printf "%%.9f\n" > %t/generated.txt

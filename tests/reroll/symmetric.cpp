@@ -13,8 +13,8 @@
 // CHECK-NEXT: int const end = first + 8 < 20 ? first + 8 : 20;
 // CHECK: for (int column = first; column < row; ++column) output[20*row + column] = output[20*column + row];
 // CHECK: for (int column = first; column < first + 8; ++column) output[20*row + column] = output[20*column + row];
-// RUN: %symreal verify %s %t/matrix.c 2>&1 | FileCheck %s --check-prefix=SAME
-// SAME: mode finite: 1000 samples, 1000 within the premises
+// RUN: %symreal verify %s %t/matrix.c --samples=100 2>&1 | FileCheck %s --check-prefix=SAME
+// SAME: mode finite: 100 samples, 100 within the premises
 // SAME-NOT: error
 // RUN: %cc -std=c99 -Wall -Wextra -Wconversion -Wshadow -pedantic -Werror -O2 -c %t/matrix.c -o %t/matrix.o
 // RUN: %cxx -DOVERLAP %s %t/matrix.o -lm -o %t/overlap && %t/overlap

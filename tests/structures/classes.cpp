@@ -5,7 +5,7 @@
 // RUN: FileCheck %s --check-prefix=HEADER < %t/advance.h
 // RUN: %symreal generate %s -o %t/ --kernel total
 // RUN: FileCheck %s --check-prefix=TOTAL < %t/total.h
-// RUN: %symreal verify %s %t/advance.c %t/total.c 2>&1 | FileCheck %s --check-prefix=SAME
+// RUN: %symreal verify %s %t/advance.c %t/total.c --samples=100 2>&1 | FileCheck %s --check-prefix=SAME
 #include <array>
 #include <complex>
 #include <cstdio>
@@ -77,7 +77,7 @@ int main() {
 // TOTAL-NEXT:     double z;
 // TOTAL-NEXT:   } axes[3];
 // TOTAL:   } arms[2];
-// SAME: kernel advance, mode finite: 1000 samples
+// SAME: kernel advance, mode finite: 100 samples
 // SAME: {{^}}  {{.*}} 11 {{ *}}0 {{ *}}0
-// SAME: kernel total, mode finite: 1000 samples
+// SAME: kernel total, mode finite: 100 samples
 // SAME: value_return {{ *}}1 {{ *}}0 {{ *}}0

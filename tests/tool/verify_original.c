@@ -2,7 +2,7 @@
    so is what the original leaves in memory. What differs here does so by the macros of the three builds.
    RUN: rm -rf %t && mkdir %t
    RUN: cd %t && %symreal generate %s -o ./ -- -std=c89
-   RUN: cd %t && %symreal verify %s same.c -- -std=c89 2>&1 | FileCheck %s --check-prefix=SAME
+   RUN: cd %t && %symreal verify %s same.c --samples=100 -- -std=c89 2>&1 | FileCheck %s --check-prefix=SAME
    RUN: cd %t && not %symreal verify %s rewritten.c original.c left.c --samples=100 --min-samples=10 --json -- -std=c89 > json 2> told
    RUN: FileCheck %s --implicit-check-not=error: < %t/told
    RUN: FileCheck %s --check-prefix=JSON < %t/json
@@ -78,7 +78,7 @@ int main(void)
     return 0;
 }
 
-/* SAME: 1000 within the premises
+/* SAME: 100 within the premises
    SAME: y[0] {{.*}} 0 {{ *}}0
    CHECK: verify_original.c:[[@LINE-48]]:{{.*}}error: kernel 'rewritten': 2 of 3 outputs of the rewritten program differ from the original's [SYM120]
    CHECK: note: value_return: original {{.*}}, rewritten {{.*}} inputs

@@ -1,14 +1,14 @@
 /* `verify` tries the wrapper that lies beside a generated file: it hands over what the code computes, and changes
    nothing else. One of another kernel is refused. */
 // RUN: rm -rf %t && mkdir %t && cp %s %t/v.c && cd %t && %symreal generate v.c -o . --wrapper --decisions=guard
-// RUN: cd %t && %symreal verify v.c turn.c limited.c 2>&1 | FileCheck %s
-// CHECK: kernel turn, mode finite: 1000 samples
+// RUN: cd %t && %symreal verify v.c turn.c limited.c --samples=100 2>&1 | FileCheck %s
+// CHECK: kernel turn, mode finite: 100 samples
 // CHECK-NEXT: the wrapper was tried as well
-// CHECK: kernel limited, mode finite: 1000 samples
+// CHECK: kernel limited, mode finite: 100 samples
 // CHECK: refused by a guard: {{[1-9]}}
 // CHECK: the wrapper was tried as well
 // RUN: sed 's/(s->a) = symreal_output/(s->b) = symreal_output/' %t/turn_wrapper.c > %t/w.c && not diff %t/w.c %t/turn_wrapper.c && mv %t/w.c %t/turn_wrapper.c
-// RUN: cd %t && not %symreal verify v.c turn.c 2>&1 | FileCheck %s --check-prefix=OTHER
+// RUN: cd %t && not %symreal verify v.c turn.c --samples=100 2>&1 | FileCheck %s --check-prefix=OTHER
 // OTHER: turn_wrapper.c:1:1: error: this wrapper was generated for another form of kernel 'turn' [SYM090]
 #include <stdio.h>
 
