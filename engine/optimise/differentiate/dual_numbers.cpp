@@ -267,86 +267,87 @@ DualNumbers::DualNumbers(Graph const &graph, std::vector<DerivativeRequest> requ
       requests_(std::move(requests)),
       call_(std::move(call)) {
   for (DerivativeRequest const &request : requests_)
-    plans_.push_back(is_by_elements(request) ? plan_of(request) : Plan());
+    compressions_.push_back(is_by_elements(request) ? compression_of(request) : Compression());
 }
 
-DualNumbers::Plan DualNumbers::plan_of(DerivativeRequest const &request) const {
+DualNumbers::Compression DualNumbers::compression_of(DerivativeRequest const &request) const {
   std::vector<std::uint32_t> position(graph_.input_count(), Colouring::none);
   for (std::size_t j = 0; j < request.input_slots.size(); ++j)
     position[request.input_slots[j]] = static_cast<std::uint32_t>(j);
   std::vector<NodeId> outputs;
   for (std::uint32_t const slot : request.output_slots) outputs.push_back(graph_.results[slot]);
   Pattern const all = is_hessian(request) ? coupled_inputs(graph_, outputs) : inputs_of(graph_, outputs);
-  Plan plan;
-  plan.rows.resize(is_hessian(request) ? request.input_slots.size() : outputs.size());
-  for (std::size_t i = 0; i < plan.rows.size(); ++i)
+  Compression compression;
+  compression.rows.resize(is_hessian(request) ? request.input_slots.size() : outputs.size());
+  for (std::size_t i = 0; i < compression.rows.size(); ++i)
     for (std::uint32_t const slot : all[is_hessian(request) ? request.input_slots[i] : i])
-      if (position[slot] != Colouring::none) plan.rows[i].push_back(position[slot]);
-  for (auto &row : plan.rows) std::ranges::sort(row);
-  plan.is_direct = direct_rows(plan.rows);
-  Pattern together = plan.rows;
+      if (position[slot] != Colouring::none) compression.rows[i].push_back(position[slot]);
+  for (auto &row : compression.rows) std::ranges::sort(row);
+  compression.is_direct = direct_rows(compression.rows);
+  Pattern together = compression.rows;
   for (std::size_t i = 0; i < together.size(); ++i) {
-    if (plan.is_direct[i]) together[i].clear();
-    if (is_hessian(request)) std::erase_if(together[i], [&](std::uint32_t j) { return plan.is_direct[j] != 0; });
+    if (compression.is_direct[i]) together[i].clear();
+    if (is_hessian(request)) std::erase_if(together[i], [&](std::uint32_t j) { return compression.is_direct[j] != 0; });
   }
-  plan.colours = coloured(together, request.input_slots.size());
-  return plan;
+  compression.colours = coloured(together, request.input_slots.size());
+  return compression;
 }
 
-DualNumbers::Plan DualNumbers::without_structure(DerivativeRequest const &request) {
+DualNumbers::Compression DualNumbers::without_structure(DerivativeRequest const &request) {
   std::size_t const rows = is_hessian(request) ? request.input_slots.size() : request.output_slots.size();
   return {Pattern(rows), {std::vector(request.input_slots.size(), Colouring::none), 0}, std::vector<char>(rows, 1)};
 }
 
 std::size_t DualNumbers::passes() const {
   std::size_t count = 0;
-  for (Plan const &plan : plans_)
-    count += 1 + plan.colours.count + static_cast<std::size_t>(std::ranges::count(plan.is_direct, 1));
+  for (Compression const &compression : compressions_)
+    count += 1 + compression.colours.count + static_cast<std::size_t>(std::ranges::count(compression.is_direct, 1));
   return count;
 }
 
-Vector DualNumbers::jacobian(PointDuals const &point, DerivativeRequest const &request, Plan const &plan) const {
+Vector DualNumbers::jacobian(PointDuals const &point, DerivativeRequest const &request,
+                             Compression const &compression) const {
   std::size_t const rows = request.output_slots.size(), columns = request.input_slots.size();
   Vector matrix(rows * columns, 0);
   for (std::size_t i = 0; i < rows; ++i) {
-    if (!plan.is_direct[i]) continue;
+    if (!compression.is_direct[i]) continue;
     Vector const row = point.reverse(unit(graph_.output_count(), request.output_slots[i]));
     for (std::size_t j = 0; j < columns; ++j) matrix[i * columns + j] = row[request.input_slots[j]];
   }
-  for (std::uint32_t colour = 0; colour < plan.colours.count; ++colour) {
+  for (std::uint32_t colour = 0; colour < compression.colours.count; ++colour) {
     Vector direction(graph_.input_count(), 0);
     for (std::size_t j = 0; j < columns; ++j)
-      if (plan.colours.colour[j] == colour) direction[request.input_slots[j]] = 1;
+      if (compression.colours.colour[j] == colour) direction[request.input_slots[j]] = 1;
     Vector const slopes = point.forward(direction);
     for (std::size_t i = 0; i < rows; ++i)
-      for (std::uint32_t const j : plan.rows[i])
-        if (!plan.is_direct[i] && plan.colours.colour[j] == colour)
+      for (std::uint32_t const j : compression.rows[i])
+        if (!compression.is_direct[i] && compression.colours.colour[j] == colour)
           matrix[i * columns + j] = slopes[request.output_slots[i]];
   }
   return matrix;
 }
 
 // Each direct row is copied to its column by symmetry.
-Vector DualNumbers::hessian(PointDuals const &point, DerivativeRequest const &request, Plan const &plan,
+Vector DualNumbers::hessian(PointDuals const &point, DerivativeRequest const &request, Compression const &compression,
                             Vector const &weights) const {
   std::size_t const size = request.input_slots.size();
   Vector matrix(size * size, 0);
-  for (std::uint32_t colour = 0; colour < plan.colours.count; ++colour) {
+  for (std::uint32_t colour = 0; colour < compression.colours.count; ++colour) {
     Vector direction(graph_.input_count(), 0);
     for (std::size_t j = 0; j < size; ++j)
-      if (plan.colours.colour[j] == colour) direction[request.input_slots[j]] = 1;
+      if (compression.colours.colour[j] == colour) direction[request.input_slots[j]] = 1;
     Vector const change = point.second(weights, direction);
     for (std::size_t i = 0; i < size; ++i)
-      for (std::uint32_t const j : plan.rows[i])
-        if (!plan.is_direct[i] && plan.colours.colour[j] == colour)
+      for (std::uint32_t const j : compression.rows[i])
+        if (!compression.is_direct[i] && compression.colours.colour[j] == colour)
           matrix[i * size + j] = change[request.input_slots[i]];
   }
   for (std::size_t j = 0; j < size; ++j) {
-    if (!plan.is_direct[j]) continue;
+    if (!compression.is_direct[j]) continue;
     Vector const change = point.second(weights, unit(graph_.input_count(), request.input_slots[j]));
     for (std::size_t i = 0; i < size; ++i) {
       matrix[i * size + j] = change[request.input_slots[i]];
-      if (!plan.is_direct[i]) matrix[j * size + i] = matrix[i * size + j];
+      if (!compression.is_direct[i]) matrix[j * size + i] = matrix[i * size + j];
     }
   }
   return matrix;
@@ -371,9 +372,9 @@ bool DualNumbers::is_whole(PointDuals const &point, DerivativeRequest const &req
   return true;
 }
 
-Vector DualNumbers::matrix_of(PointDuals const &point, DerivativeRequest const &request, Plan const &plan,
+Vector DualNumbers::matrix_of(PointDuals const &point, DerivativeRequest const &request, Compression const &compression,
                               Vector const &weights) const {
-  return is_hessian(request) ? hessian(point, request, plan, weights) : jacobian(point, request, plan);
+  return is_hessian(request) ? hessian(point, request, compression, weights) : jacobian(point, request, compression);
 }
 
 Vector DualNumbers::at(std::span<std::span<double const> const> seeds, std::span<double const> inputs,
@@ -386,7 +387,7 @@ Vector DualNumbers::at(std::span<std::span<double const> const> seeds, std::span
     std::vector<std::uint32_t> const &outputs = request.output_slots, &columns = request.input_slots;
     if (is_by_elements(request)) {
       Vector const weights = request.is_weighted ? scattered(to, outputs, seeds[k]) : unit(to, outputs[0]);
-      Vector matrix = matrix_of(point, request, plans_[k], weights);
+      Vector matrix = matrix_of(point, request, compressions_[k], weights);
       if (!is_whole(point, request, matrix, weights))
         matrix = matrix_of(point, request, without_structure(request), weights);
       result.insert(result.end(), matrix.begin(), matrix.end());

@@ -29,28 +29,28 @@ public:
 
 private:
   // Passes that compute the structurally nonzero elements of a matrix. Indices are relative to the request.
-  struct Plan {
+  struct Compression {
     Pattern rows;
     Colouring colours;           // of columns
     std::vector<char> is_direct; // per row (Hessian: row and column): computed by its own pass
   };
 
-  Plan plan_of(DerivativeRequest const &request) const;
-  // A dense plan: one pass per row or column, regardless of structural zeros.
-  static Plan without_structure(DerivativeRequest const &request);
-  Vector jacobian(PointDuals const &point, DerivativeRequest const &request, Plan const &plan) const;
-  Vector hessian(PointDuals const &point, DerivativeRequest const &request, Plan const &plan,
+  Compression compression_of(DerivativeRequest const &request) const;
+  // No compression: one pass per row or column, regardless of structural zeros.
+  static Compression without_structure(DerivativeRequest const &request);
+  Vector jacobian(PointDuals const &point, DerivativeRequest const &request, Compression const &compression) const;
+  Vector hessian(PointDuals const &point, DerivativeRequest const &request, Compression const &compression,
                  Vector const &weights) const;
   // Checks the sparsity pattern: whether the matrix times a direction equals the directional derivative.
   bool is_whole(PointDuals const &point, DerivativeRequest const &request, Vector const &matrix,
                 Vector const &weights) const;
-  Vector matrix_of(PointDuals const &point, DerivativeRequest const &request, Plan const &plan,
+  Vector matrix_of(PointDuals const &point, DerivativeRequest const &request, Compression const &compression,
                    Vector const &weights) const;
 
   Graph const &graph_;
   std::vector<DerivativeRequest> requests_;
   CallExternal call_;
-  std::vector<Plan> plans_; // empty for requests of other kinds
+  std::vector<Compression> compressions_; // empty for requests of other kinds
 };
 
 } // namespace symreal
