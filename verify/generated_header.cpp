@@ -83,7 +83,7 @@ Graph shown_of(Graph const &recorded, Banner const &banner) {
 std::string generated_text(std::string const &generated, Banner const &banner, Graph const &shown) {
   Language const &usual = *find_language(is_generated_cpp(generated) ? "cpp" : "c");
   Language const language = banner.is_single ? in_single_precision(usual) : usual;
-  Schedule plan{};
+  Plan plan{};
   plan.graph = &shown;
   plan.constant_count = banner.constants;
   EmitOptions options;

@@ -62,7 +62,7 @@ void round(std::string const &recording, std::string const &output) {
     stage(
         name, [&] { graph = run_passes(std::move(graph), {&name, 1}, FloatingPoint::finite); }, [&] { return before; });
   }
-  Schedule plan{};
+  Plan plan{};
   stage("schedule", [&] { plan = schedule(graph); }, count);
   std::vector<EmittedFile> files;
   stage("emit", [&] { files = emit(plan, *find_language("c"), {.base_name = "kernel"}); }, count);

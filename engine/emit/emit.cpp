@@ -136,11 +136,10 @@ EmittedFile print_source(Emission &emission) {
   FileSyntax const &files = emission.language.files;
   std::string const name = emission.options.base_name + std::string(files.extension);
   if (files.whole) return {name, files.whole(emission)};
-  CodeText functions = print_function(emission, FunctionKind::preprocess);
-  for (FunctionKind const kind : {FunctionKind::computed_angles, FunctionKind::compute}) {
-    if (kind == FunctionKind::computed_angles && emission.plan.angles.computed.results.empty()) continue;
-    functions.lines("\n");
-    functions.append(print_function(emission, kind));
+  CodeText functions(emission.language);
+  for (PlanFunction const &function : emission.plan.functions) {
+    if (&function != &emission.plan.functions.front()) functions.lines("\n");
+    functions.append(print_function(emission, function));
   }
   auto const part = [&](Part write) { return write ? write(emission) : std::string(); };
   CodeText text(emission.language);
@@ -163,8 +162,7 @@ EmittedFile print_source(Emission &emission) {
 }
 
 std::vector<EmittedFile> print(Plan const &plan, Language const &language, EmitOptions const &options) {
-  Emission emission{plan.schedule, language, options, plan.loops ? &*plan.loops : nullptr,
-                    plan.lanes ? &*plan.lanes : nullptr};
+  Emission emission{plan, language, options};
   std::vector<EmittedFile> files;
   files.push_back(print_source(emission)); // an initializer list would copy the text
   for (Companion const &companion : language.files.companions)
@@ -177,16 +175,16 @@ std::vector<EmittedFile> print(Plan const &plan, Language const &language, EmitO
 } // namespace
 
 std::vector<EmittedFile> emit(Plan const &plan, Language const &language, EmitOptions const &options) {
-  require_expressible(plan.schedule, language, options);
+  require_expressible(plan, language, options);
   auto const refuse = [&](char const *what) {
     fail(DiagnosticId::bad_option, {}, what + std::string(language.name) + " does not have");
   };
-  if (plan.loops && !language.loops.is_given()) refuse("--reroll needs loops, which --lang=");
-  if (plan.lanes && !language.vectors.is_given()) refuse("--vector needs vectors, which --lang=");
-  if (plan.schedule.angles.size() != 0 && !language.angles.is_given())
+  if (plan.has_loops() && !language.loops.is_given()) refuse("--reroll needs loops, which --lang=");
+  if (plan.vectors() && !language.vectors.is_given()) refuse("--vector needs vectors, which --lang=");
+  if (plan.angles.size() != 0 && !language.angles.is_given())
     refuse("the plan begins with sines and cosines computed side by side, which --lang=");
   if (!options.is_single) return print(plan, language, options);
-  require_single(plan.graph(), language, options);
+  require_single(*plan.graph, language, options);
   return print(plan, in_single_precision(language), options);
 }
 

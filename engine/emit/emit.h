@@ -3,7 +3,7 @@
 
 #include "engine/emit/language/emitted.h"
 #include "engine/emit/languages/languages.h"
-#include "engine/plan/plan.h"
+#include "engine/plan/schedule/schedule.h"
 
 #include <vector>
 

@@ -55,7 +55,7 @@ template <class Require> void require_bridges(Graph const &graph, BridgeSyntax c
 
 } // namespace
 
-void require_expressible(Schedule const &plan, Language const &language, EmitOptions const &options) {
+void require_expressible(Plan const &plan, Language const &language, EmitOptions const &options) {
   Graph const &graph = *plan.graph;
   auto const require = [&](bool is_there, bool is_wanted, std::string const &what) {
     if (is_wanted && !is_there)

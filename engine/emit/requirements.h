@@ -8,7 +8,7 @@
 namespace symreal {
 
 // Throws if the language lacks a feature that the graph or an option requires.
-void require_expressible(Schedule const &plan, Language const &language, EmitOptions const &options);
+void require_expressible(Plan const &plan, Language const &language, EmitOptions const &options);
 
 // Throws if the language lacks single precision, or the kernel needs wider numbers.
 void require_single(Graph const &graph, Language const &language, EmitOptions const &options);

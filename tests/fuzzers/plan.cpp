@@ -1,5 +1,5 @@
 // A plan as text. One that is taken is written and read again.
-#include "engine/plan/plan_text.h"
+#include "engine/plan/text/plan_text.h"
 #include "fuzzer.h"
 
 using namespace symreal;

@@ -61,7 +61,7 @@ void ParallelOption::add_to(CLI::App &app) {
   app.add_option("--cost", cost, "Costs for --parallel, from symreal measure-costs")->type_name("FILE");
 }
 
-Schedule ParallelOption::shared(Schedule plan, std::string &remark) const {
+Plan ParallelOption::shared(Plan plan, std::string &remark) const {
   if (!is_given()) return plan;
   Graph const &graph = *plan.graph;
   Costs const costs = costs_named(cost);

@@ -16,7 +16,7 @@ struct ParallelOption {
   bool is_given() const { return threads != 1; }
   // The schedule distributed among threads; unchanged without --parallel. `remark`: the expected gain, in words. Throws
   // cost_file, bad_option, parallel_does_not_pay.
-  Schedule shared(Schedule plan, std::string &remark) const;
+  Plan shared(Plan plan, std::string &remark) const;
 };
 
 } // namespace symreal::tool

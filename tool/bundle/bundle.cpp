@@ -40,8 +40,7 @@ void BundleOption::require_sense() const {
     fail(DiagnosticId::bad_option, {}, "the result is a file whose name ends in .fmu, not '" + unit + "'");
 }
 
-Bundle BundleOption::bundle(Schedule const &plan, EmitterOptions const &options, FloatingPoint mode,
-                            bool several) const {
+Bundle BundleOption::bundle(Plan const &plan, EmitterOptions const &options, FloatingPoint mode, bool several) const {
   Graph const &graph = *plan.graph;
   require_no_externals(graph);
   Bundle bundle;

@@ -26,7 +26,7 @@ struct BundleOption {
   void require_sense() const;
   // With several kernels, the options name directories. Throws bad_option for a kernel that calls functions of a
   // library, and for a unit without states.
-  Bundle bundle(Schedule const &plan, EmitterOptions const &options, FloatingPoint mode, bool several) const;
+  Bundle bundle(Plan const &plan, EmitterOptions const &options, FloatingPoint mode, bool several) const;
 };
 
 } // namespace symreal::tool

@@ -294,7 +294,7 @@ std::string token_of(Files const &files, std::vector<UnitVariable> const &variab
 
 } // namespace
 
-std::string unit_bytes(Schedule const &plan, EmitterOptions const &emitter, FloatingPoint mode) {
+std::string unit_bytes(Plan const &plan, EmitterOptions const &emitter, FloatingPoint mode) {
   Graph const &graph = *plan.graph;
   if (graph.states.empty())
     fail(DiagnosticId::bad_option, {},

@@ -9,6 +9,6 @@ namespace symreal::tool {
 
 // Bytes of a unit. The sources omit the original's mathematical library, so that the graph's text determines them.
 // Throws bad_option for a kernel without states.
-std::string unit_bytes(Schedule const &plan, EmitterOptions const &emitter, FloatingPoint mode);
+std::string unit_bytes(Plan const &plan, EmitterOptions const &emitter, FloatingPoint mode);
 
 } // namespace symreal::tool

@@ -44,7 +44,7 @@ std::vector<double> expected_outputs(Graph const &graph) {
 }
 
 // Text of __init__.py, with the names of the plain module (emit/languages/python.cpp).
-std::string module_text(Schedule const &plan, EmitOptions const &options) {
+std::string module_text(Plan const &plan, EmitOptions const &options) {
   std::string const functions = functions_text(!plan.graph->guards.empty());
   Language python = package_language();
   python.module.begin = package_begin;
@@ -54,7 +54,7 @@ std::string module_text(Schedule const &plan, EmitOptions const &options) {
 }
 
 // Text of __init__.pyi: its types.
-std::string stub_text(Schedule const &plan, EmitOptions const &options) {
+std::string stub_text(Plan const &plan, EmitOptions const &options) {
   Language python = package_language();
   ModuleSyntax &module = python.module;
   module.begin = stub_begin;
@@ -76,7 +76,7 @@ std::string stub_text(Schedule const &plan, EmitOptions const &options) {
 }
 
 // Text of the test in the package.
-std::string test_text(Schedule const &plan, EmitOptions const &options) {
+std::string test_text(Plan const &plan, EmitOptions const &options) {
   Language const python = package_language();
   Emission const emission{plan, python, options};
   Filling fill = module_facts(emission);
@@ -86,7 +86,7 @@ std::string test_text(Schedule const &plan, EmitOptions const &options) {
   return banner(emission) + fill(test_pattern);
 }
 
-std::string batch_text(Schedule const &plan, EmitOptions const &options) {
+std::string batch_text(Plan const &plan, EmitOptions const &options) {
   Emission const emission{plan, *find_language("c"), options};
   Filling fill = module_facts(emission);
   fill.set("call", fill(plan.graph->guards.empty() ? batch_call : batch_checked_call));
@@ -99,7 +99,7 @@ std::string filled(Emission const &emission, std::string_view pattern) {
 
 } // namespace
 
-std::vector<OutputFile> package_files(Schedule const &plan, EmitterOptions const &emitter, FloatingPoint mode,
+std::vector<OutputFile> package_files(Plan const &plan, EmitterOptions const &emitter, FloatingPoint mode,
                                       std::string const &folder) {
   Graph const &graph = *plan.graph;
   Language const python = package_language();

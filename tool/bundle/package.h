@@ -9,7 +9,7 @@
 namespace symreal::tool {
 
 // Files of the package in `folder`, pyproject.toml first. --prefix or else the kernel names it.
-std::vector<OutputFile> package_files(Schedule const &plan, EmitterOptions const &options, FloatingPoint mode,
+std::vector<OutputFile> package_files(Plan const &plan, EmitterOptions const &options, FloatingPoint mode,
                                       std::string const &folder);
 
 } // namespace symreal::tool

@@ -1,7 +1,7 @@
 #include "engine/graph/graph_text.h"
 #include "engine/graph/names.h"
 #include "engine/optimise/differentiate/differentiate.h"
-#include "engine/plan/plan_text.h"
+#include "engine/plan/text/plan_text.h"
 #include "engine/support/files.h"
 #include "engine/support/math_library.h"
 #include "program/record/front.h"
@@ -68,7 +68,7 @@ std::vector<OutputFile> files_of(PlannedCode const &code, PlanRequest const &req
     write(text);
     files.push_back({fs::path(path).replace_extension(extension).string(), std::move(text).str()});
   };
-  if (options.dumps("optimised")) dump(".graph", [&](std::ostream &out) { write_graph(out, code.plan().graph()); });
+  if (options.dumps("optimised")) dump(".graph", [&](std::ostream &out) { write_graph(out, *code.plan().graph); });
   if (options.dumps("plan")) dump(".plan", [&](std::ostream &out) { write_plan(out, code.plan()); });
   return files;
 }
@@ -83,8 +83,8 @@ Product product_of(Graph graph, program::Recorded const &recorded, Wrappers &wra
                    bool several, Console &console) {
   Product product;
   product.optimised = optimised(std::move(graph), options, console);
-  Schedule const laid_out = options.parallel.shared(schedule(product.optimised.graph, options.emitter.nesting()),
-                                                    product.remarks.emplace_back());
+  Plan const laid_out = options.parallel.shared(schedule(product.optimised.graph, options.emitter.nesting()),
+                                                product.remarks.emplace_back());
   if (options.bundle.is_given()) {
     product.bundle = options.bundle.bundle(laid_out, options.emitter, options.passes.floating_point(), several);
     return product;

@@ -1,5 +1,5 @@
 #include "engine/graph/graph_text.h"
-#include "engine/plan/plan_text.h"
+#include "engine/plan/text/plan_text.h"
 #include "engine/support/files.h"
 #include "tool/analysis/parallel_option.h"
 #include "tool/bundle/bundle.h"
@@ -134,7 +134,7 @@ std::vector<OutputFile> result_files(Optimised const &optimised, Plan const *rea
 }
 
 std::vector<std::string> write_bundle(Graph const &graph, Plan const *read, Options const &options) {
-  Bundle const bundle = options.bundle.bundle(read ? read->schedule : schedule(graph, options.emitter.nesting()),
+  Bundle const bundle = options.bundle.bundle(read ? *read : schedule(graph, options.emitter.nesting()),
                                               options.emitter, options.passes.floating_point(), false);
   Outputs outputs;
   bundle.add_to(outputs);

@@ -14,25 +14,30 @@ std::vector<LanguagePlan> PlannedCode::of(PlanRequest const &request) const {
   return all;
 }
 
-Schedule with_wished_angles(Schedule const &plan, EmitterOptions const &options, FloatingPoint mode,
-                            std::vector<Language const *> const &languages) {
+Plan with_wished_angles(Plan const &plan, EmitterOptions const &options, FloatingPoint mode,
+                        std::vector<Language const *> const &languages) {
   bool const any = std::ranges::any_of(languages, [](Language const *one) { return one->angles.is_given(); });
   return any && options.has_angles(mode) ? with_angles(plan) : plan;
 }
 
-PlannedCode planned_code(Schedule const &schedule, std::optional<Rerolled> const &found, PlanRequest const &request) {
+PlannedCode planned_code(Plan const &schedule, std::optional<Rerolled> const &found, PlanRequest const &request) {
   PlannedCode result;
-  Schedule const laid_out =
+  Plan const laid_out =
       with_wished_angles(schedule, request.emitter, request.passes.floating_point(), request.languages);
   result.angles = describe(laid_out.angles);
   std::optional<Rerolled> const loops =
       request.reroll.loops(laid_out, found, request.passes, result.remarks, result.loops);
-  if (loops && loops->compute) result.looped = executed_operations(laid_out, *loops);
+  if (loops && loops->functions.contains(FunctionKind::compute)) result.looped = executed_operations(laid_out, *loops);
   std::optional<Laned> const lanes = request.vector.lanes(laid_out, result.remarks, result.lanes);
   result.common.has_angles = request.wishes_angles();
+  auto const with = [&](Plan plan) {
+    if (loops) plan = with_loops(std::move(plan), *loops);
+    if (lanes) plan.compute().lanes = lanes->compute;
+    return plan;
+  };
   auto const add = [&](PlanForm const &form) {
     if (!result.plans.contains(form))
-      result.plans.emplace(form, in_form(Plan(form.has_angles ? laid_out : schedule, loops, lanes), form));
+      result.plans.emplace(form, in_form(with(form.has_angles ? laid_out : schedule), form));
   };
   for (Language const *language : request.languages) {
     add(form_of(*language, request.wishes_angles()));

@@ -38,13 +38,13 @@ struct PlannedCode {
 };
 
 // `found`: loops that were found before.
-PlannedCode planned_code(Schedule const &schedule, std::optional<Rerolled> const &found, PlanRequest const &request);
+PlannedCode planned_code(Plan const &schedule, std::optional<Rerolled> const &found, PlanRequest const &request);
 
 // Code of a plan that was read.
 PlannedCode planned_code(Plan const &plan, PlanRequest const &request);
 
 // The schedule as C and C++ print it, if they are among the languages: loops and vectors are searched in it.
-Schedule with_wished_angles(Schedule const &plan, EmitterOptions const &options, FloatingPoint mode,
-                            std::vector<Language const *> const &languages);
+Plan with_wished_angles(Plan const &plan, EmitterOptions const &options, FloatingPoint mode,
+                        std::vector<Language const *> const &languages);
 
 } // namespace symreal::tool

@@ -80,7 +80,7 @@ void run(Options const &options) {
 } // namespace
 
 void add_schedule(CLI::App &app, Session &session) {
-  CLI::App *command = app.add_subcommand("schedule", "Schedule the tasks of a graph on units, minimising the makespan");
+  CLI::App *command = app.add_subcommand("schedule", "Plan the tasks of a graph on units, minimising the makespan");
   auto options = std::make_shared<Options>();
   command
       ->add_option("file", options->file,

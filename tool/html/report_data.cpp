@@ -63,7 +63,7 @@ Json places(Graph const &graph, std::vector<LocationId> const &locations, Source
 Json code_data(Graph const &graph, FloatingPoint mode, Sources const &sources) {
   constexpr std::size_t most_nodes = 100'000; // a larger page would be slow, and its code unread
   if (graph.nodes.size() > most_nodes) return {{"nodes", graph.nodes.size()}};
-  Schedule const plan = schedule(graph);
+  Plan const plan = schedule(graph);
   EmitOptions options;
   options.base_name = graph.kernel;
   options.mode = mode;

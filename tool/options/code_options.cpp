@@ -111,7 +111,7 @@ void RerollOption::add_to(CLI::App &app) {
   app.add_flag("--reroll", is_given, "Emit repeated operations as loops over tables (C or C++)");
 }
 
-std::optional<Rerolled> RerollOption::loops(Schedule const &plan, std::optional<Rerolled> const &found,
+std::optional<Rerolled> RerollOption::loops(Plan const &plan, std::optional<Rerolled> const &found,
                                             PassOptions const &passes, std::vector<Diagnostic> &remarks,
                                             std::string &text) const {
   if (!is_given) return {};
@@ -140,8 +140,7 @@ void VectorOption::add_to(CLI::App &app) {
       ->check(CLI::IsMember({2U, 4U, 8U}));
 }
 
-std::optional<Laned> VectorOption::lanes(Schedule const &plan, std::vector<Diagnostic> &remarks,
-                                         std::string &text) const {
+std::optional<Laned> VectorOption::lanes(Plan const &plan, std::vector<Diagnostic> &remarks, std::string &text) const {
   if (!is_given()) return {};
   Laned lanes = laned(plan, width);
   if (!lanes.compute) {

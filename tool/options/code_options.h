@@ -65,7 +65,7 @@ struct RerollOption {
   void add_to(CLI::App &app);
   // The loops; nullopt if not requested or not found, with a remark why. `text`: their share of the code. `found`:
   // loops that were found already, whose computed values passes then work on.
-  std::optional<Rerolled> loops(Schedule const &plan, std::optional<Rerolled> const &found, PassOptions const &passes,
+  std::optional<Rerolled> loops(Plan const &plan, std::optional<Rerolled> const &found, PassOptions const &passes,
                                 std::vector<Diagnostic> &remarks, std::string &text) const;
 };
 
@@ -76,7 +76,7 @@ struct VectorOption {
   bool is_given() const { return width != 0; }
   void add_to(CLI::App &app);
   // The vectors; nullopt if not requested or not worthwhile, with a remark why. `text`: their share of the code.
-  std::optional<Laned> lanes(Schedule const &plan, std::vector<Diagnostic> &remarks, std::string &text) const;
+  std::optional<Laned> lanes(Plan const &plan, std::vector<Diagnostic> &remarks, std::string &text) const;
 };
 
 } // namespace symreal::tool

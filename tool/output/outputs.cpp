@@ -152,7 +152,7 @@ std::vector<OutputFile> emitted_files(std::vector<LanguagePlan> const &plans, Em
     for (EmittedFile &file : symreal::emit(*plan, *language, emit)) {
       files.push_back({(fs::path(path).parent_path() / file.name).string(), std::move(file.text)});
       if (!options.map_file.empty() && files.size() == 1)
-        files.push_back({options.map_file, line_map(file, plan->graph())});
+        files.push_back({options.map_file, line_map(file, *plan->graph)});
     }
   return files;
 }

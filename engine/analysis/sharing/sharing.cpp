@@ -14,9 +14,9 @@ namespace {
 
 class StatementReader {
 public:
-  StatementReader(Schedule const &plan, Costs const &costs)
+  StatementReader(Plan const &plan, Costs const &costs)
       : plan_(plan),
-        body_(plan.compute),
+        body_(plan.compute()),
         costs_(costs),
         task_(body_.regions.value_count(), no_node),
         path_(body_.regions.value_count(), 0) {}
@@ -36,7 +36,8 @@ public:
     auto const mark = [&](NodeId use) {
       for_each_read(
           *plan_.graph, use, [&](NodeId id) { return is_task(id); },
-          [&](NodeId id) { return is_read(plan_, true, id); }, [&](NodeId id) { result.is_result[task_[id]] = 1; });
+          [&](NodeId id) { return is_read(plan_, body_.kind, id); },
+          [&](NodeId id) { result.is_result[task_[id]] = 1; });
     };
     std::ranges::for_each(body_.results, mark);
     for (Check const &check : body_.checks) mark(check.condition);
@@ -45,13 +46,13 @@ public:
 
 private:
   bool is_task(NodeId id) const { return task_[id] != no_node; }
-  bool is_nested(NodeId id) const { return id != no_node && !is_task(id) && !is_read(plan_, true, id); }
+  bool is_nested(NodeId id) const { return id != no_node && !is_task(id) && !is_read(plan_, body_.kind, id); }
 
   // Sums the costs of the operations in the expression, innermost first, since operands have smaller ids.
   void add_costs(NodeId variable) {
     throughput_ = 0;
     latency_ = 0;
-    if (body_.regions.is_gate(variable) || is_read(plan_, true, variable)) return;
+    if (body_.regions.is_gate(variable) || is_read(plan_, body_.kind, variable)) return;
     std::vector<NodeId> nested = {variable};
     for (std::size_t k = 0; k < nested.size(); ++k)
       for (NodeId operand : operands(nested[k]))
@@ -74,8 +75,8 @@ private:
     return {node.operand.data(), node.op == Op::call_in_order ? 2 : node.operand.size()};
   }
 
-  Schedule const &plan_;
-  FunctionBody const &body_;
+  Plan const &plan_;
+  PlanFunction const &body_;
   Costs const &costs_;
   std::vector<TaskId> task_; // statement that defines the value
   std::vector<Time> path_;   // per nested operation, in parts of the costs' unit
@@ -260,7 +261,7 @@ std::size_t crossing(StatementTasks const &statements, std::vector<Share> const 
 
 } // namespace
 
-StatementTasks statement_tasks(Schedule const &plan, Costs const &costs) { return StatementReader(plan, costs).run(); }
+StatementTasks statement_tasks(Plan const &plan, Costs const &costs) { return StatementReader(plan, costs).run(); }
 
 std::vector<Share> sliced(StatementTasks const &statements, std::vector<TaskId> const &order, unsigned threads,
                           Time meeting) {
@@ -284,9 +285,9 @@ std::vector<Share> sliced(StatementTasks const &statements, std::vector<TaskId> 
   return shares;
 }
 
-Sharing share_out(Schedule const &plan, StatementTasks const &statements, Costs const &costs, unsigned threads) {
+Sharing share_out(Plan const &plan, StatementTasks const &statements, Costs const &costs, unsigned threads) {
   TaskGraph const &tasks = statements.tasks;
-  internal_check(tasks.size() == plan.compute.variables.size());
+  internal_check(tasks.size() == plan.compute().variables.size());
   double const meeting = costs.threads->sections_for(threads);
   Clock const clock(statements, threads);
   Sharing result{threads};

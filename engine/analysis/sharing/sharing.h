@@ -19,7 +19,7 @@ struct StatementTasks {
   std::vector<Time> latency;
   std::vector<char> is_result; // an output or check reads it at the end
 };
-StatementTasks statement_tasks(Schedule const &plan, Costs const &costs);
+StatementTasks statement_tasks(Plan const &plan, Costs const &costs);
 
 // Slicing of statements: within a slice of time, unconnected statements go to different threads. Finds cut points by
 // dynamic programming over a topological order; `meeting` is the overhead of a shared slice. A slice that does not pay
@@ -43,6 +43,6 @@ struct Sharing {
 };
 
 // `costs` must have the cost of a region of sections.
-Sharing share_out(Schedule const &plan, StatementTasks const &statements, Costs const &costs, unsigned threads);
+Sharing share_out(Plan const &plan, StatementTasks const &statements, Costs const &costs, unsigned threads);
 
 } // namespace symreal

@@ -10,7 +10,7 @@ namespace symreal {
 
 namespace {
 
-bool has_sine_and_cosine_of_one(Schedule const &plan) {
+bool has_sine_and_cosine_of_one(Plan const &plan) {
   Nodes const &nodes = plan.graph->nodes;
   auto const angles_of = [&](Op op) {
     std::unordered_set<NodeId> angles;
@@ -30,7 +30,7 @@ std::string no_fusion(Emission const &emission) {
                      "#pragma STDC FP_CONTRACT OFF\n"
                      "#elif defined(__GNUC__)\n"
                      "#pragma GCC optimize(\"fp-contract=off\", \"no-tree-slp-vectorize\"" +
-                     std::string(emission.loops ? ", \"no-tree-vectorize\"" : "") + ")\n";
+                     std::string(emission.plan.has_loops() ? ", \"no-tree-vectorize\"" : "") + ")\n";
   if (!emission.uses.side_by_side) return text + "#endif\n";
   return text + "#define SYMREAL_SIDE_BY_SIDE __attribute__((optimize(\"tree-loop-vectorize\")))\n"
                 "#endif\n"
@@ -41,8 +41,8 @@ std::string no_fusion(Emission const &emission) {
 
 // Vectors are used only if the compiler has them and the target processor is requested: otherwise scalars are faster.
 std::string vectors(Emission const &emission) {
-  if (!emission.lanes || !emission.lanes->compute) return {};
-  lanes::LaneFunction const &function = *emission.lanes->compute;
+  if (!emission.plan.vectors()) return {};
+  lanes::LaneFunction const &function = *emission.plan.vectors();
   std::size_t const width = function.width, bytes = width * (emission.language.is_single ? 4 : 8);
   bool const loads = std::ranges::any_of(
       function.vectors, [](lanes::Vector const &vector) { return vector.form == lanes::Vector::Form::load; });

@@ -60,8 +60,8 @@ std::string json_string(std::string const &text) {
 }
 
 std::optional<std::size_t> vector_width(Emission const &emission) {
-  if (!emission.lanes || !emission.lanes->compute) return std::nullopt;
-  return emission.lanes->compute->width;
+  lanes::LaneFunction const *const lanes = emission.plan.vectors();
+  return lanes ? std::optional(lanes->width) : std::nullopt;
 }
 
 } // namespace

@@ -23,15 +23,13 @@ static bool is_about_variable(BlockStep const &step) {
          step.kind == BlockStep::Kind::set_const || step.kind == BlockStep::Kind::keep;
 }
 
-BodyPrinter::BodyPrinter(Emission &emission, FunctionBody const &body, bool is_compute, std::string_view target)
+BodyPrinter::BodyPrinter(Emission &emission, PlanFunction const &body, std::string_view target)
     : emission_(emission),
       language_(emission.language),
       body_(body),
-      is_compute_(is_compute),
       target_(target),
-      chunks_(
-          cut(emission.plan, body, is_compute, {language_.functions.most_statements, language_.functions.parts_store})),
-      context_(emission, body, is_compute),
+      chunks_(cut(emission.plan, body, {language_.functions.most_statements, language_.functions.parts_store})),
+      context_(emission, body),
       constant_(language_, language_.statements.constant, {"type", "name", "value"}),
       set_(language_, language_.statements.set, {"type", "name", "value"}),
       declarations_(language_) {}
@@ -45,24 +43,20 @@ bool BodyPrinter::is_call(std::size_t statement) const {
   return is_call_node(emission_.plan, body_, body_.variables[statement]);
 }
 
-BodyPrinter::Type BodyPrinter::type(std::size_t statement) const {
-  NodeId const id = body_.variables[statement];
-  if (context_.is_gate(id)) return Type::truth;
-  Op const op = emission_.graph().nodes[id].op;
-  if (is_wide(op)) return Type::wide;
-  return !is_leaf(op) && info(op).has(flag::BOOLEAN) ? Type::truth : Type::number;
-}
-
 TypeSyntax const &BodyPrinter::type_syntax(std::size_t statement) const {
-  Type const type = this->type(statement);
-  emission_.uses.truths = emission_.uses.truths || type == Type::truth;
-  return type == Type::number ? language_.number : type == Type::truth ? language_.truth : language_.wide;
+  static constexpr TypeSyntax Language::*types[] = {
+#define VALUE_KIND(kind, syntax) &Language::syntax,
+#include "engine/plan/value_kinds.def"
+#undef VALUE_KIND
+  };
+  emission_.uses.truths = emission_.uses.truths || kind(statement) == ValueKind::truth;
+  return language_.*types[static_cast<std::size_t>(kind(statement))];
 }
 
 void BodyPrinter::begin(CodeText &out) const {
   if (!emission_.options.check_values) return;
   for (std::size_t k = 0; k < body_.variables.size(); ++k)
-    if (type(k) == Type::number && !is_call(k)) {
+    if (kind(k) == ValueKind::f64 && !is_call(k)) {
       emission_.uses.value_checks = true;
       return out.statement(2, language_.statements.value_check_begin);
     }
@@ -75,7 +69,7 @@ bool BodyPrinter::statements(std::size_t chunk, CodeText &out, std::size_t inden
     context_.variable[id] = static_cast<std::uint32_t>(k);
     if (is_call(k)) context_.kept[id] = chunks_.spill_slot[id]; // its results are stored there at once
   }
-  for (BlockStep const &step : blocks(emission_.plan, body_, is_compute_, chunks_, chunk)) {
+  for (BlockStep const &step : blocks(emission_.plan, body_, chunks_, chunk)) {
     if (step.kind == BlockStep::Kind::close || step.kind == BlockStep::Kind::otherwise) indent -= 2;
     print_step(step, indent, out);
     if (step.kind == BlockStep::Kind::open || step.kind == BlockStep::Kind::otherwise) indent += 2;
@@ -153,7 +147,7 @@ void BodyPrinter::set(std::size_t statement, bool declares, std::size_t indent, 
     declarations_.statement(2, fill(language_, syntax.first_declaration, {{"type", type_name}, {"name", name_}}));
   (declares ? constant_ : set_).append_to(line_, {type_name, name_, value_});
   out.statement(indent, line_, origin_of(emission_, context_.spelled_out));
-  if (emission_.options.check_values && type(statement) == Type::number) check_value(statement, indent, out);
+  if (emission_.options.check_values && kind(statement) == ValueKind::f64) check_value(statement, indent, out);
 }
 
 // Debug variant: reports the first NaN or infinity of a call with its source line.
@@ -199,7 +193,7 @@ void BodyPrinter::begin_store(std::string_view array, std::size_t index) {
 }
 
 void BodyPrinter::end_store(NodeId id, std::size_t indent, CodeText &out) {
-  if (context_.is_gate(id) || !is_wide(emission_.graph().nodes[id].op)) {
+  if (context_.kind(id) != ValueKind::u64) {
     line_.clear();
     set_.append_to(line_, {{}, name_, value_});
     return out.statement(indent, line_);

@@ -16,7 +16,7 @@ Origin origin_of(Emission const &emission, std::vector<NodeId> const &operations
 class BodyPrinter {
 public:
   // `target`: array for the results.
-  BodyPrinter(Emission &emission, FunctionBody const &body, bool is_compute, std::string_view target);
+  BodyPrinter(Emission &emission, PlanFunction const &body, std::string_view target);
 
   std::size_t chunk_count() const { return chunks_.size(); }
   std::size_t spill_count() const { return chunks_.spill_count; }
@@ -50,8 +50,7 @@ public:
   std::vector<std::string> take_variables() { return std::exchange(variables_, {}); }
 
 private:
-  enum class Type : std::uint8_t { number, truth, wide };
-  Type type(std::size_t statement) const;
+  ValueKind kind(std::size_t statement) const { return context_.kind(body_.variables[statement]); }
   TypeSyntax const &type_syntax(std::size_t statement) const;
   bool is_call(std::size_t statement) const;
 
@@ -68,8 +67,7 @@ private:
 
   Emission &emission_;
   Language const &language_;
-  FunctionBody const &body_;
-  bool is_compute_;
+  PlanFunction const &body_;
   std::string_view target_;
   Chunks chunks_;
   FunctionContext context_;

@@ -1,11 +1,10 @@
-// Emission state shared by the printers and parts of a file: the schedule, the language, and the features used so far.
+// Emission state shared by the printers and parts of a file: the plan, the language, and the features used so far.
 #pragma once
 
 #include "engine/emit/language/language.h"
 #include "engine/emit/language/words.h"
 #include "engine/emit/print/spellings.h"
-#include "engine/plan/lanes/lanes.h"
-#include "engine/plan/reroll/reroll.h"
+#include "engine/plan/plan.h"
 
 #include <bitset>
 #include <set>
@@ -45,15 +44,10 @@ struct UsedFeatures {
   }
 };
 
-// Array of computed angles.
-inline constexpr char const *computed_angles = "computed_angle";
-
 struct Emission {
-  Schedule const &plan;
+  Plan const &plan;
   Language const &language;
   EmitOptions const &options;
-  Rerolled const *loops = nullptr;        // loop programs, which replace the statements of their functions
-  Laned const *lanes = nullptr;           // vector code of compute, beside its scalar code
   std::set<std::string> local_names = {}; // names in the functions other than variables
   Spellings spellings{language};
   std::vector<std::string> bridges = bridge_names(*plan.graph, language); // per function of the graph

@@ -14,10 +14,9 @@
 
 namespace symreal {
 
-FunctionContext::FunctionContext(Emission &emission, FunctionBody const &body, bool in_compute)
+FunctionContext::FunctionContext(Emission &emission, PlanFunction const &body)
     : emission(emission),
       body(body),
-      in_compute(in_compute),
       spelling(emission, body),
       variable(body.regions.value_count(), no_slot),
       kept(body.regions.value_count(), no_slot),
@@ -91,7 +90,7 @@ private:
   bool is_kept(NodeId id) const { return !is_variable(id) && context_.kept[id] != no_slot; }
   // Array element of a node computed by preprocess, or at the start of the function; nullopt for other nodes.
   std::optional<Element> precomputed(NodeId id) const {
-    if (!context_.in_compute || context_.is_gate(id)) return {};
+    if (!reads_elements(context_.body.kind) || context_.is_gate(id)) return {};
     std::optional<Element> const element = context_.emission.plan.element(id);
     return element && element->array != Array::input ? element : std::nullopt;
   }
@@ -119,9 +118,7 @@ private:
            !is_precomputed(id);
   }
 
-  bool is_truth(NodeId id) const {
-    return context_.is_gate(id) || (!is_leaf(node(id).op) && info(node(id).op).has(flag::BOOLEAN));
-  }
+  bool is_truth(NodeId id) const { return context_.kind(id) == ValueKind::truth; }
 
   // Whether the node is read from an array, whose elements are numbers.
   bool is_element(Item const &item) const {
@@ -181,11 +178,10 @@ private:
     Node const &node = this->node(id);
     if (node.is_constant()) return print_constant(node.value(), item.binding);
     if (!item.spelled_out && is_variable(id)) return print_variable(id);
-    if (!item.spelled_out && is_kept(id)) return print_element(node, "v", context_.kept[id]);
-    if (!context_.copied.empty() && context_.copied[id] != no_slot)
-      return print_element(node, "v", context_.copied[id]);
+    if (!item.spelled_out && is_kept(id)) return print_element(id, "v", context_.kept[id]);
+    if (!context_.copied.empty() && context_.copied[id] != no_slot) return print_element(id, "v", context_.copied[id]);
     if (std::optional<Element> const element = precomputed(id))
-      return print_element(node, name_of(element->array), element->index);
+      return print_element(id, name_of(element->array), element->index);
     if (node.op == Op::input && !context_.leaves.empty()) {
       text_ += context_.leaves[node.slot()];
       return;
@@ -207,8 +203,8 @@ private:
     text_ += parenthesised ? "(" + text + ")" : text;
   }
 
-  void print_element(Node const &node, std::string_view array, std::size_t index) {
-    if (!is_wide(node.op)) return context_.append_element(text_, array, index);
+  void print_element(NodeId id, std::string_view array, std::size_t index) {
+    if (context_.kind(id) != ValueKind::u64) return context_.append_element(text_, array, index);
     context_.emission.uses.kept_integer = true;
     std::string element;
     context_.append_element(element, array, index);

@@ -37,8 +37,7 @@ struct ExpressionItem {
 // Spellings of nodes in variables and arrays within one function, and the names that its text uses.
 struct FunctionContext {
   Emission &emission;
-  FunctionBody const &body;
-  bool in_compute;                        // reads input and constants, else parameters
+  PlanFunction const &body;
   VariableNames spelling;                 // of variables
   std::vector<std::uint32_t> variable;    // per node: number of its variable, or no_slot
   std::vector<std::uint32_t> kept;        // per node: element of v that keeps it for later chunks, or no_slot
@@ -49,9 +48,10 @@ struct FunctionContext {
   std::vector<std::string> leaves = {};   // per input: its spelling, if it differs from an element of `input`
   std::vector<ExpressionItem> items = {}; // pending items of the printed expressions, the next one last
 
-  FunctionContext(Emission &emission, FunctionBody const &body, bool in_compute);
+  FunctionContext(Emission &emission, PlanFunction const &body);
   Graph const &graph() const { return emission.graph(); }
   bool is_gate(NodeId id) const { return body.regions.is_gate(id); }
+  ValueKind kind(NodeId id) const { return emission.plan.kind(body, id); }
   // Appends an element of a local or parameter array.
   void append_element(std::string &text, std::string_view array, std::size_t index);
   // Element of the array that a call stores its results in: its own array, or v.

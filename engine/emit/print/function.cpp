@@ -31,7 +31,17 @@ void append_function(Language const &language, std::string_view pattern, Functio
 
 namespace {
 
-std::string angles_function(Emission const &emission) { return emission.name("compute_angles"); }
+FunctionNames names_of(Emission const &emission, FunctionKind kind) {
+  FunctionInfo const &function = info(kind);
+  std::string const name(function.name);
+  FunctionNames names{
+      emission.name(function.is_helper ? "compute_" + name : name), {}, {}, std::string(name_of(function.fills))};
+  for (Array const array : function.reads) names.inputs.emplace_back(name_of(array));
+  names.part_inputs = names.inputs;
+  if (kind == FunctionKind::compute && emission.plan.angles.size() != 0)
+    for (Array const array : {Array::sine, Array::cosine}) names.part_inputs.emplace_back(name_of(array));
+  return names;
+}
 
 class AnglesPrinter {
 public:
@@ -40,21 +50,18 @@ public:
         language_(emission.language),
         syntax_(emission.language.angles),
         input_(name_of(Array::input)),
-        function_(angles_function(emission)),
+        helper_(names_of(emission, FunctionKind::angles)),
         out_(out) {}
 
   void print() {
     for (Array const array : {Array::sine, Array::cosine}) declare(std::string(name_of(array)), angles_.size());
     if (std::size_t const count = angles_.inputs.size(); count != 0) call(count, inputs(), 0);
-    if (std::size_t const count = angles_.computed.results.size(); count != 0) {
-      declare(computed_angles, count);
-      out_.statement(
-          2, fill(language_, language_.functions.call,
-                  {{"name", function_},
-                   {"group", ""},
-                   {"arguments", fmt::format("{}, {}, {}", input_, name_of(Array::constants), computed_angles)}}));
-      call(count, computed_angles, angles_.inputs.size());
-    }
+    if (angles_.computed == 0) return;
+    declare(helper_.target, angles_.computed);
+    std::string const inputs = fmt::format("{}", fmt::join(helper_.inputs, ", "));
+    out_.statement(2, fill(language_, language_.functions.call,
+                           {{"name", helper_.name}, {"group", ""}, {"arguments", inputs + ", " + helper_.target}}));
+    call(angles_.computed, helper_.target, angles_.inputs.size());
   }
 
 private:
@@ -89,7 +96,8 @@ private:
   Angles const &angles_;
   Language const &language_;
   AnglesSyntax const &syntax_;
-  std::string input_, function_;
+  std::string input_;
+  FunctionNames helper_;
   CodeText &out_;
 };
 
@@ -101,62 +109,25 @@ void print_angles(Emission const &emission, CodeText &out) {
 
 namespace {
 
-FunctionPlan function_plan(Emission const &emission, FunctionKind kind) {
-  Schedule const &plan = emission.plan;
-  Rerolled const *const loops = emission.loops;
-  if (kind == FunctionKind::preprocess) {
-    std::vector<std::string> const inputs = {"parameters"};
-    return {plan.preprocess,
-            loops ? &loops->preprocess : nullptr,
-            emission.name("preprocess"),
-            inputs,
-            inputs,
-            "constants",
-            false,
-            false};
-  }
-  std::vector<std::string> const inputs = {"input", "constants"};
-  if (kind == FunctionKind::computed_angles)
-    return {plan.angles.computed,
-            loops ? &loops->computed_angles : nullptr,
-            angles_function(emission),
-            inputs,
-            inputs,
-            computed_angles,
-            true,
-            true};
-  std::vector<std::string> part_inputs = inputs;
-  if (plan.angles.size() != 0)
-    for (Array const array : {Array::sine, Array::cosine}) part_inputs.emplace_back(name_of(array));
-  return {plan.compute,
-          loops ? &loops->compute : nullptr,
-          emission.name("compute"),
-          inputs,
-          std::move(part_inputs),
-          "output",
-          true,
-          false};
-}
-
 class FunctionPrinter {
 public:
-  FunctionPrinter(Emission &emission, FunctionPlan const &plan)
+  FunctionPrinter(Emission &emission, PlanFunction const &function, FunctionNames const &names)
       : emission_(emission),
         graph_(emission.graph()),
         language_(emission.language),
         syntax_(emission.language.functions),
-        body_(plan.body),
-        plan_(plan),
+        body_(function),
+        names_(names),
         threads_(emission.plan.threads),
-        printer_(emission, body_, plan.in_compute, plan.target) {}
+        printer_(emission, body_, names.target) {}
 
   CodeText print() {
     bool const may_fail = !body_.checks.empty();
     CodeText out(language_), last(language_);
-    if (plan_.has_angles()) {
+    if (names_.has_angles()) {
       print_angles(emission_, last);
       printer_.note_array(name_of(Array::input));
-      if (!emission_.plan.angles.computed.results.empty()) printer_.note_array(name_of(Array::constants));
+      if (emission_.plan.angles.computed != 0) printer_.note_array(name_of(Array::constants));
     }
     if (printer_.chunk_count() == 1) {
       printer_.begin(last);
@@ -182,24 +153,24 @@ public:
         print_part(printer_.chunk_count() + group, std::move(text), false, out, last);
       }
       end_group(part_count(), out);
-      for (std::string const &input : plan_.inputs) printer_.note_array(input); // passed on by the calls
-      if (syntax_.parts_store) printer_.note_array(plan_.target);
+      for (std::string const &input : names_.inputs) printer_.note_array(input); // passed on by the calls
+      if (syntax_.parts_store) printer_.note_array(names_.target);
     }
-    last.statement(
-        2, fill(language_, syntax_.results, {{"name", plan_.target}, {"count", std::to_string(body_.results.size())}}));
+    last.statement(2, fill(language_, syntax_.results,
+                           {{"name", names_.target}, {"count", std::to_string(body_.results.size())}}));
     if (printer_.result_groups() == 1) printer_.results(0, last);
     if (may_fail) last.statement(2, syntax_.success);
-    last.statement(2, fill(language_, syntax_.finish, {{"name", plan_.target}}));
+    last.statement(2, fill(language_, syntax_.finish, {{"name", names_.target}}));
     std::string_view const output =
-        plan_.is_local && !syntax_.local_output.empty() ? syntax_.local_output : syntax_.output;
-    append(out, plan_.is_local ? syntax_.local_head : syntax_.head, output, may_fail, plan_.name, plan_.target,
-           std::move(last));
+        info(body_.kind).is_helper && !syntax_.local_output.empty() ? syntax_.local_output : syntax_.output;
+    append(out, info(body_.kind).is_helper ? syntax_.local_head : syntax_.head, output, may_fail, names_.name,
+           names_.target, std::move(last));
     return out;
   }
 
 private:
   std::string group(std::size_t chunk) const {
-    return syntax_.group_size == 0 ? "" : fmt::format("{}_part_{}", plan_.name, chunk / syntax_.group_size + 1);
+    return syntax_.group_size == 0 ? "" : fmt::format("{}_part_{}", names_.name, chunk / syntax_.group_size + 1);
   }
   std::string with_output(std::string const &inputs, std::string const &output) const {
     return syntax_.output_first ? output + ", " + inputs : inputs + ", " + output;
@@ -246,13 +217,13 @@ private:
     }
     if (checks) text.statement(2, syntax_.success);
     text.statement(2, fill(language_, syntax_.local_finish, {{"name", "v"}}));
-    std::string const name = language_.names.spelled(fmt::format("{}_{}", plan_.name, part + 1));
-    bool const stores = printer_.arrays().contains(plan_.target);
+    std::string const name = language_.names.spelled(fmt::format("{}_{}", names_.name, part + 1));
+    bool const stores = printer_.arrays().contains(names_.target);
     append(out, syntax_.local_head, syntax_.local_output.empty() ? syntax_.output : syntax_.local_output, checks, name,
            "v", std::move(text));
     if (part + 1 < part_count() || syntax_.group_size == 0) out.lines("\n");
     std::string const arguments =
-        with_output(fmt::format("{}", fmt::join(plan_.part_inputs, ", ")), stores ? plan_.target + ", v" : "v");
+        with_output(fmt::format("{}", fmt::join(names_.part_inputs, ", ")), stores ? names_.target + ", v" : "v");
     bool const is_shared = part < printer_.chunk_count() && this->is_shared(part);
     for (std::string_view rest = checks ? syntax_.checked_call : syntax_.call; !rest.empty();) { // line by line
       std::size_t const end = std::min(rest.find('\n'), rest.size());
@@ -267,7 +238,7 @@ private:
   void print_locals(bool is_part, CodeText &out) {
     std::vector<std::string> names = printer_.take_variables();
     if (!is_part && printer_.chunk_count() > 1) names.insert(names.begin(), "v");
-    if (!is_part && syntax_.output.empty()) names.insert(names.begin(), plan_.target);
+    if (!is_part && syntax_.output.empty()) names.insert(names.begin(), names_.target);
     out.statement(2, fill(language_, names.empty() ? syntax_.no_locals : syntax_.locals,
                           {{"names", fmt::format("{}", fmt::join(names, ", "))}}));
   }
@@ -275,10 +246,10 @@ private:
   // Adds the declarations that precede the statements.
   void append(CodeText &out, std::string_view head, std::string_view output, bool may_fail, std::string const &name,
               std::string const &last, CodeText text) {
-    bool const is_part = name != plan_.name;
+    bool const is_part = name != names_.name;
     ArrayNames const used = printer_.take_arrays();
-    std::vector<std::string> const &inputs = is_part ? plan_.part_inputs : plan_.inputs;
-    bool const stores = is_part && used.contains(plan_.target);
+    std::vector<std::string> const &inputs = is_part ? names_.part_inputs : names_.inputs;
+    bool const stores = is_part && used.contains(names_.target);
     std::vector<Parameter> parameters, outputs;
     CodeText whole(language_);
     for (std::string const &input : inputs) {
@@ -286,8 +257,8 @@ private:
       whole.statement(2, fill(language_, syntax_.input_declaration, {{"name", input}}));
     }
     if (stores) {
-      outputs.push_back({syntax_.output, plan_.target});
-      whole.statement(2, fill(language_, syntax_.output_declaration, {{"name", plan_.target}}));
+      outputs.push_back({syntax_.output, names_.target});
+      whole.statement(2, fill(language_, syntax_.output_declaration, {{"name", names_.target}}));
     }
     outputs.push_back({output, last, used.contains(last)});
     whole.statement(2, fill(language_, syntax_.output_declaration, {{"name", last}}));
@@ -309,25 +280,24 @@ private:
   Graph const &graph_;
   Language const &language_;
   FunctionSyntax const &syntax_;
-  FunctionBody const &body_;
-  FunctionPlan const &plan_;
+  PlanFunction const &body_;
+  FunctionNames const &names_;
   unsigned threads_;
   BodyPrinter printer_;
 };
 
 } // namespace
 
-CodeText print_function(Emission &emission, FunctionKind kind) {
-  FunctionPlan const plan = function_plan(emission, kind);
-  if (plan.loops && *plan.loops) return print_loops(emission, **plan.loops, plan);
+CodeText print_function(Emission &emission, PlanFunction const &function) {
+  FunctionNames const names = names_of(emission, function.kind);
+  if (function.loops) return print_loops(emission, function, names);
   CodeText out(emission.language);
-  if (kind != FunctionKind::compute || !emission.lanes || !emission.lanes->compute)
-    return FunctionPrinter(emission, plan).print();
+  if (!function.lanes) return FunctionPrinter(emission, function, names).print();
   VectorSyntax const &vectors = emission.language.vectors;
   out.lines(vectors.begin);
-  out.append(print_lanes(emission, *emission.lanes->compute));
+  out.append(print_lanes(emission, function, names));
   out.lines(vectors.otherwise);
-  out.append(FunctionPrinter(emission, plan).print());
+  out.append(FunctionPrinter(emission, function, names).print());
   out.lines(vectors.end);
   return out;
 }

@@ -1,5 +1,5 @@
-// Printing of a schedule's functions: a single walk over statements and blocks for all languages. Vector code and loop
-// programs, which replace the statements, are printed in lanes.cpp and loops.cpp.
+// Printing of a plan's functions: a single walk over statements and blocks for all languages. Vectors and loops, which
+// replace the statements, are printed in lanes.cpp and loops.cpp.
 #pragma once
 
 #include "engine/emit/print/code_text.h"
@@ -11,20 +11,14 @@
 
 namespace symreal {
 
-enum class FunctionKind { preprocess, computed_angles, compute };
-
 // Prints a function; a long one as local functions that the last one calls.
-CodeText print_function(Emission &emission, FunctionKind kind);
+CodeText print_function(Emission &emission, PlanFunction const &function);
 
-// Names and arrays of a function in a generated file.
-struct FunctionPlan {
-  FunctionBody const &body;
-  std::optional<reroll::LoopFunction> const *loops; // null if the file has no loops
+// Names of a function and its arrays in a generated file.
+struct FunctionNames {
   std::string name;
   std::vector<std::string> inputs, part_inputs; // parameters of the function, and of its parts
   std::string target;
-  bool in_compute; // it reads what compute reads
-  bool is_local;   // local to the file, rather than part of its interface
 
   // Whether the function begins with sines and cosines, which its parts read.
   bool has_angles() const { return part_inputs.size() != inputs.size(); }
@@ -51,10 +45,10 @@ void append_function(Language const &language, std::string_view pattern, Functio
 // `constants`.
 void print_angles(Emission const &emission, CodeText &out);
 
-// Prints compute with vectors: vector statements interleaved with scalar ones.
-CodeText print_lanes(Emission &emission, lanes::LaneFunction const &function);
+// Prints a function's vectors: vector statements interleaved with scalar ones.
+CodeText print_lanes(Emission &emission, PlanFunction const &function, FunctionNames const &names);
 
-// Prints a loop program: a local function for each step, and a function that calls them.
-CodeText print_loops(Emission &emission, reroll::LoopFunction const &function, FunctionPlan const &plan);
+// Prints a function's loops: a local function for each step, and a function that calls them.
+CodeText print_loops(Emission &emission, PlanFunction const &function, FunctionNames const &names);
 
 } // namespace symreal

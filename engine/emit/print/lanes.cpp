@@ -1,6 +1,7 @@
 #include "engine/emit/print/body.h"
 #include "engine/emit/print/constant_paths.h"
 #include "engine/emit/print/function.h"
+#include "engine/plan/schedule/schedule.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -223,11 +224,12 @@ constexpr std::size_t behind_all = ~std::size_t{0};
 
 class LanesPrinter {
 public:
-  LanesPrinter(Emission &emission, lanes::LaneFunction const &function)
+  LanesPrinter(Emission &emission, PlanFunction const &function, FunctionNames const &names)
       : emission_(emission),
         language_(emission.language),
-        function_(function),
-        vectors_(emission, function),
+        function_(*function.lanes),
+        names_(names),
+        vectors_(emission, function_),
         rest_(rest()),
         plan_(schedule(rest_)) {
     put_in_order();
@@ -236,19 +238,19 @@ public:
   CodeText print() {
     Language whole = language_; // the body is not cut
     whole.functions.most_statements = std::string::npos;
-    Emission inner{plan_, whole, emission_.options, nullptr, nullptr, vectors_.names()};
-    BodyPrinter printer(inner, plan_.compute, true, "output");
+    Emission inner{plan_, whole, emission_.options, vectors_.names()};
+    BodyPrinter printer(inner, plan_.compute(), names_.target);
     printer.spell_inputs(leaves_, constant_leaves_);
     CodeText text(language_);
     printer.set_before([&](std::size_t statement, CodeText &out) { print_vectors(statement, printer, out); });
     printer.statements(0, text);
-    print_vectors(plan_.compute.variables.size(), printer, text);
+    print_vectors(plan_.compute().variables.size(), printer, text);
     printer.checks(text);
-    for (lanes::Store const &store : function_.stores) text.statement(2, vectors_.store(store, "output"));
+    for (lanes::Store const &store : function_.stores) text.statement(2, vectors_.store(store, names_.target));
     for (std::size_t slot = 0; slot < emission_.graph().results.size(); ++slot)
       if (function_.is_stored_alone(slot))
         text.statement(2, fill(language_, language_.statements.set,
-                               {{"name", element(language_, "output", slot)},
+                               {{"name", element(language_, names_.target, slot)},
                                 {"value", printer.use(emission_.graph().results[slot])}}));
     if (!rest_.guards.empty()) text.statement(2, language_.functions.success);
     emission_.uses.add(inner.uses);
@@ -293,7 +295,7 @@ private:
     std::vector<std::uint32_t> turn(rest_.nodes.size(), 0);
     for (std::uint32_t k = 0; k < function_.order.size(); ++k)
       if (!function_.order[k].is_vector) turn[function_.order[k].id] = k;
-    FunctionBody &body = plan_.compute;
+    PlanFunction &body = plan_.compute();
     internal_check(std::ranges::all_of(body.region, [](RegionId region) { return region == everywhere; }));
     std::ranges::stable_sort(body.variables, {}, [&](NodeId id) { return turn[id]; });
     for (Check &check : body.checks) check.before = behind_all;
@@ -321,7 +323,7 @@ private:
     FunctionSyntax const &syntax = language_.functions;
     std::set<Array> used;
     if (emission_.plan.angles.size() != 0) used.insert(Array::input);
-    if (!emission_.plan.angles.computed.results.empty()) used.insert(Array::constants); // passed on by the call
+    if (emission_.plan.angles.computed != 0) used.insert(Array::constants); // passed on by the call
     for (lanes::Item const &item : function_.order)
       if (item.is_vector) {
         Vector const &vector = function_.vectors[item.id];
@@ -335,13 +337,13 @@ private:
     std::vector<Parameter> parameters;
     for (Array const array : {Array::input, Array::constants})
       parameters.push_back({syntax.input, std::string(name_of(array)), used.contains(array)});
-    parameters.push_back({syntax.output, "output"});
+    parameters.push_back({syntax.output, names_.target});
     CodeText out(language_), whole(language_);
     print_angles(emission_, whole);
     whole.append(std::move(text));
     append_function(language_, syntax.head,
-                    {.name = emission_.name("compute"), .target = "output", .may_fail = !rest_.guards.empty()},
-                    parameters, std::move(whole), out);
+                    {.name = names_.name, .target = names_.target, .may_fail = !rest_.guards.empty()}, parameters,
+                    std::move(whole), out);
     return out;
   }
   void note(NodeId id, std::set<Array> &used) const {
@@ -352,18 +354,19 @@ private:
   Emission &emission_;
   Language const &language_;
   lanes::LaneFunction const &function_;
+  FunctionNames const &names_;
   VectorText vectors_;
   std::vector<std::string> leaves_;
   std::vector<char> constant_leaves_;
   Graph rest_;
-  Schedule plan_;
+  Plan plan_;
   std::vector<std::vector<VectorId>> before_; // per statement, and after the last
 };
 
 } // namespace
 
-CodeText print_lanes(Emission &emission, lanes::LaneFunction const &function) {
-  return LanesPrinter(emission, function).print();
+CodeText print_lanes(Emission &emission, PlanFunction const &function, FunctionNames const &names) {
+  return LanesPrinter(emission, function, names).print();
 }
 
 } // namespace symreal

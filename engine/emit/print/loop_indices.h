@@ -3,8 +3,8 @@
 #pragma once
 
 #include "engine/emit/print/code_text.h"
-#include "engine/plan/reroll/loop_program.h"
-#include "engine/plan/reroll/nest.h"
+#include "engine/plan/loop_function.h"
+#include "engine/plan/nest.h"
 
 #include <map>
 #include <optional>

@@ -3,7 +3,7 @@
 #include "engine/emit/print/function.h"
 #include "engine/emit/print/loop_indices.h"
 #include "engine/emit/print/number_tables.h"
-#include "engine/plan/reroll/loop_program.h"
+#include "engine/plan/schedule/schedule.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -19,18 +19,14 @@ using reroll::Leaf;
 using reroll::LoopStep;
 using reroll::Store;
 
-// Names of the arrays of a function.
-struct LoopArrays {
-  std::string given, read, memory, filled, sine, cosine;
-  bool may_be_constant = false; // whether memory is constant on some path
-};
+std::string spelled(Array array) { return array == Array::memory ? "v" : std::string(name_of(array)); }
 
 // Prints one step into `out`, with the tables that only this step reads; adds the names of the arrays in the text to
 // `used`.
 class StepPrinter {
 public:
   StepPrinter(Emission &emission, LoopStep const &step, StepNumbers const &numbers, LoopTables const &tables,
-              LoopArrays const &arrays, CodeText &out, std::set<std::string> &used)
+              std::string const &filled, bool may_be_constant, CodeText &out, std::set<std::string> &used)
       : emission_(emission),
         language_(emission.language),
         step_(step),
@@ -38,7 +34,8 @@ public:
         tables_(tables),
         indices_(emission.language, step),
         names_(indices_.names()),
-        arrays_(arrays),
+        filled_(filled),
+        may_be_constant_(may_be_constant),
         out_(out),
         used_(used) {}
 
@@ -52,16 +49,16 @@ public:
     for (std::string const &row : rows) out_.statement(indent_, row);
     Language whole = language_; // the body is not cut
     whole.functions.most_statements = std::string::npos;
-    Schedule const plan = schedule(step_.body);
-    Emission inner{plan, whole, emission_.options, nullptr, nullptr, names_};
-    BodyPrinter printer(inner, plan.compute, true, arrays_.filled);
+    Plan const plan = schedule(step_.body);
+    Emission inner{plan, whole, emission_.options, names_};
+    BodyPrinter printer(inner, plan.compute(), filled_);
     printer.spell_inputs(leaves, constant_leaves());
     CodeText statements(language_);
     printer.statements(0, statements, indent_);
     out_.append(std::move(statements));
     for (std::size_t k = 0; k < stores.size(); ++k) set(stores[k], printer.use(step_.stores[k].value));
     for (std::size_t k = 0; k < leaves.size(); ++k)
-      if (step_.leaves[k].kind == Leaf::Kind::carried) set(leaves[k], printer.use(step_.leaves[k].next));
+      if (step_.leaves[k].is_carried) set(leaves[k], printer.use(step_.leaves[k].next));
     emission_.uses.add(inner.uses);
     indices_.end(out_);
   }
@@ -70,16 +67,15 @@ private:
   // Compilers may unroll a loop and see the values of a table.
   std::vector<char> constant_leaves() const {
     std::vector<char> constant;
-    for (Leaf const &leaf : step_.leaves)
-      constant.push_back(arrays_.may_be_constant && !reroll::is_argument(leaf.kind));
+    for (Leaf const &leaf : step_.leaves) constant.push_back(may_be_constant_ && !reroll::is_argument(leaf.array));
     return constant;
   }
 
   void find_records() {
     if (indices_.is_nested()) return;
     for (Leaf const &leaf : step_.leaves)
-      if (leaf.kind == Leaf::Kind::memory || (indices_.is_loop() && leaf.kind != Leaf::Kind::values))
-        records_.add(array_of(leaf.kind), leaf.access, false);
+      if ((leaf.array == Array::memory && !leaf.is_carried) || (indices_.is_loop() && leaf.array != Array::values))
+        records_.add(spelled(leaf.array), leaf.access, false);
     for (Store const &store : step_.stores)
       if (!store.is_result || indices_.is_loop()) records_.add(array_of(store), store.access, true);
     records_.choose();
@@ -103,8 +99,8 @@ private:
     std::vector<std::string> leaves;
     for (std::size_t k = 0; k < step_.leaves.size(); ++k) {
       auto const &[walk, column] = numbers_.places[k];
-      leaves.push_back(step_.leaves[k].kind == Leaf::Kind::values ? indexed(rows_[walk], std::to_string(column))
-                                                                  : spell(step_.leaves[k], k));
+      leaves.push_back(step_.leaves[k].array == Array::values ? indexed(rows_[walk], std::to_string(column))
+                                                              : spell(step_.leaves[k], k));
     }
     return leaves;
   }
@@ -118,32 +114,21 @@ private:
   // Invariant elements are read before the loop: compilers cannot know that no store changes them.
   std::string spell(Leaf const &leaf, std::size_t number) {
     StatementSyntax const &syntax = language_.statements;
-    bool const is_carried = leaf.kind == Leaf::Kind::carried;
-    std::string text = element(is_carried ? arrays_.memory : array_of(leaf.kind), leaf.access);
+    std::string text = element(spelled(leaf.array), leaf.access);
     bool const is_fixed = indices_.is_fixed(leaf.access), in_turn = indices_.is_fixed_in_turn(leaf.access);
-    if (!is_carried && !is_fixed && !in_turn) return text;
-    std::string name = (is_carried ? "c" : "f") + std::to_string(number);
+    if (!leaf.is_carried && !is_fixed && !in_turn) return text;
+    std::string name = (leaf.is_carried ? "c" : "f") + std::to_string(number);
     names_.insert(name);
-    std::string declaration = fill(language_, is_carried ? syntax.variable : syntax.constant,
+    std::string declaration = fill(language_, leaf.is_carried ? syntax.variable : syntax.constant,
                                    {{"type", language_.number.name}, {"name", name}, {"value", text}});
-    if (is_carried || is_fixed)
+    if (leaf.is_carried || is_fixed)
       out_.statement(2, declaration);
     else
       of_turn_.push_back(std::move(declaration));
     return name;
   }
 
-  std::string const &array_of(Leaf::Kind kind) const {
-    switch (kind) {
-    case Leaf::Kind::given: return arrays_.given;
-    case Leaf::Kind::read: return arrays_.read;
-    case Leaf::Kind::sine: return arrays_.sine;
-    case Leaf::Kind::cosine: return arrays_.cosine;
-    default: return arrays_.memory;
-    }
-  }
-
-  std::string const &array_of(Store const &store) const { return store.is_result ? arrays_.filled : arrays_.memory; }
+  std::string array_of(Store const &store) const { return store.is_result ? filled_ : spelled(Array::memory); }
 
   std::string element(std::string const &array, Access const &access, bool is_stored = false) {
     used_.insert(array);
@@ -192,7 +177,8 @@ private:
   LoopTables const &tables_;
   LoopIndices indices_;
   std::set<std::string> names_; // names that the body must not use
-  LoopArrays const &arrays_;
+  std::string const &filled_;   // array for the results
+  bool may_be_constant_;        // whether memory is constant on some path
   CodeText &out_;
   std::set<std::string> &used_;
   std::vector<std::string> table_names_, rows_; // names, per walk through a table
@@ -204,33 +190,28 @@ private:
 
 class LoopsPrinter {
 public:
-  LoopsPrinter(Emission &emission, reroll::LoopFunction const &function, FunctionPlan const &plan)
+  LoopsPrinter(Emission &emission, PlanFunction const &function, FunctionNames const &names)
       : emission_(emission),
         language_(emission.language),
         syntax_(emission.language.functions),
-        function_(function),
-        plan_(plan),
-        tables_(emission.language, plan.name, function.steps),
-        arrays_{plan.inputs.front(),
-                plan.inputs.back(),
-                "v",
-                plan.target,
-                std::string(name_of(Array::sine)),
-                std::string(name_of(Array::cosine)),
-                hides_arguments(emission.graph())} {}
+        kind_(info(function.kind)),
+        function_(*function.loops),
+        names_(names),
+        tables_(emission.language, names.name, function_.steps),
+        may_be_constant_(hides_arguments(emission.graph())) {}
 
   CodeText print() {
     CodeText out(language_), last(language_);
     std::set<std::string> used;
     tables_.print_shared(emission_, out);
-    if (plan_.has_angles()) {
+    if (names_.has_angles()) {
       print_angles(emission_, last);
-      used.insert(arrays_.given);
-      if (!emission_.plan.angles.computed.results.empty()) used.insert(arrays_.read);
+      used.insert(spelled(Array::input));
+      if (emission_.plan.angles.computed != 0) used.insert(spelled(Array::constants));
     }
     if (function_.memory != 0)
       last.statement(2, fill(language_, language_.statements.array,
-                             {{"name", arrays_.memory}, {"count", std::to_string(function_.memory)}}));
+                             {{"name", spelled(Array::memory)}, {"count", std::to_string(function_.memory)}}));
     bool is_checked = false;
     for (std::size_t k = 0; k < function_.steps.size(); ++k) {
       LoopStep const &step = function_.steps[k];
@@ -242,10 +223,10 @@ public:
     for (reroll::Mirror const &mirror : function_.mirrors) print_mirror(mirror, last);
     if (!function_.checks.empty()) last.statement(2, syntax_.success);
     std::vector<Parameter> parameters;
-    for (std::string const &input : plan_.inputs) parameters.push_back({syntax_.input, input, used.contains(input)});
-    parameters.push_back({syntax_.output, arrays_.filled, used.contains(arrays_.filled)});
-    append_function(language_, plan_.is_local ? syntax_.local_head : syntax_.head,
-                    {.name = plan_.name, .target = arrays_.filled, .may_fail = !function_.checks.empty()}, parameters,
+    for (std::string const &input : names_.inputs) parameters.push_back({syntax_.input, input, used.contains(input)});
+    parameters.push_back({syntax_.output, names_.target, used.contains(names_.target)});
+    append_function(language_, kind_.is_helper ? syntax_.local_head : syntax_.head,
+                    {.name = names_.name, .target = names_.target, .may_fail = !function_.checks.empty()}, parameters,
                     std::move(last), out);
     return out;
   }
@@ -254,7 +235,7 @@ private:
   void print_checks(CodeText &out) const {
     for (std::size_t k = 0; k < function_.checks.size(); ++k) {
       std::string const condition = emission_.spellings.apply(
-          Op::eq, element(language_, arrays_.memory, function_.checks[k]), constant(language_, 0));
+          Op::eq, element(language_, spelled(Array::memory), function_.checks[k]), constant(language_, 0));
       out.statement(2, fill(language_, language_.statements.check,
                             {{"condition", condition}, {"number", std::to_string(k + 1)}}));
     }
@@ -263,7 +244,7 @@ private:
   void print_mirror(reroll::Mirror const &mirror, CodeText &out) const {
     auto const element = [&](char const *row, char const *column) {
       return fill(language_, language_.expressions.element,
-                  {{"array", arrays_.filled}, {"index", index_text(mirror.first, {{mirror.rows, row}, {1, column}})}});
+                  {{"array", names_.target}, {"index", index_text(mirror.first, {{mirror.rows, row}, {1, column}})}});
     };
     std::string const below = element("row", "column"), above = element("column", "row");
     std::string const copy =
@@ -277,15 +258,15 @@ private:
     LoopStep const &step = function_.steps[number];
     CodeText text(language_);
     std::set<std::string> used;
-    StepPrinter(emission_, step, tables_.of_step(number), tables_, arrays_, text, used).print();
+    StepPrinter(emission_, step, tables_.of_step(number), tables_, names_.target, may_be_constant_, text, used).print();
     std::vector<Parameter> parameters;
-    for (std::string const &input : plan_.part_inputs)
+    for (std::string const &input : names_.part_inputs)
       if (used.contains(input)) parameters.push_back({syntax_.input, input});
     bool const stores = !std::ranges::all_of(step.stores, &Store::is_result);
-    if (used.contains(arrays_.memory))
-      parameters.push_back({stores ? syntax_.local_output : syntax_.input, arrays_.memory});
-    if (used.contains(arrays_.filled)) parameters.push_back({syntax_.local_output, arrays_.filled});
-    std::string const name = language_.names.spelled(fmt::format("{}_{}", plan_.name, number + 1));
+    if (used.contains(spelled(Array::memory)))
+      parameters.push_back({stores ? syntax_.local_output : syntax_.input, spelled(Array::memory)});
+    if (used.contains(names_.target)) parameters.push_back({syntax_.local_output, names_.target});
+    std::string const name = language_.names.spelled(fmt::format("{}_{}", names_.name, number + 1));
     FunctionHead const head{.name = name,
                             .target = parameters.back().name,
                             .is_side_by_side = emission_.forbids_fusion() && reroll::is_side_by_side(step)};
@@ -301,16 +282,17 @@ private:
   Emission &emission_;
   Language const &language_;
   FunctionSyntax const &syntax_;
+  FunctionInfo const &kind_;
   reroll::LoopFunction const &function_;
-  FunctionPlan const &plan_;
+  FunctionNames const &names_;
   LoopTables tables_;
-  LoopArrays arrays_;
+  bool may_be_constant_;
 };
 
 } // namespace
 
-CodeText print_loops(Emission &emission, reroll::LoopFunction const &function, FunctionPlan const &plan) {
-  return LoopsPrinter(emission, function, plan).print();
+CodeText print_loops(Emission &emission, PlanFunction const &function, FunctionNames const &names) {
+  return LoopsPrinter(emission, function, names).print();
 }
 
 } // namespace symreal

@@ -119,7 +119,7 @@ NumberTables::NumberTables(std::vector<LoopStep> const &steps) : steps_(steps.si
     std::map<std::pair<std::size_t, bool>, Columns> of_step;
     for (std::size_t k = 0; k < step.leaves.size(); ++k) {
       Leaf const &leaf = step.leaves[k];
-      if (leaf.kind != Leaf::Kind::values) continue;
+      if (leaf.array != Array::values) continue;
       std::size_t const count = leaf.by_turn && step.nest ? step.nest->turns : step.count;
       Columns empty{number, leaf.by_turn, leaf.values.size() < count};
       of_step.try_emplace({leaf.values.size(), leaf.by_turn}, std::move(empty)).first->second.add(k, leaf.values);
@@ -133,7 +133,7 @@ NumberTables::NumberTables(std::vector<LoopStep> const &steps) : steps_(steps.si
   for (std::size_t number = 0; number < steps.size(); ++number)
     for (std::size_t k = 0; k < steps[number].leaves.size(); ++k) {
       Leaf const &leaf = steps[number].leaves[k];
-      if (leaf.kind != Leaf::Kind::values) continue;
+      if (leaf.array != Array::values) continue;
       auto const [walk, column] = steps_[number].places[k];
       TableWalk const &on = steps_[number].walks[walk];
       internal_check(is_at(leaf.values, on, tables_[on.table], tables_[on.table].columns[column]));

@@ -6,7 +6,7 @@
 
 #include "engine/emit/print/code_text.h"
 #include "engine/emit/print/emission.h"
-#include "engine/plan/reroll/loop_program.h"
+#include "engine/plan/loop_function.h"
 
 #include <cstdint>
 #include <string>

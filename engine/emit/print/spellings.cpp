@@ -176,7 +176,8 @@ std::set<std::string> own_names(Emission const &emission) {
                                  "failed",       "unix",         "linux",        "i386",       "at_run",
                                  "kept_integer", "keep_integer", "report_value", "all_finite"};
   if (emission.plan.angles.size() != 0)
-    names.insert({"sine", "cosine", "angle", "sines_and_cosines", "sines_and_cosines_within", computed_angles});
+    names.insert({"sine", "cosine", "angle", "sines_and_cosines", "sines_and_cosines_within",
+                  std::string(name_of(Array::computed_angle))});
   names.insert(emission.local_names.begin(), emission.local_names.end());
   for (OperationInfo const &operation : operations()) {
     names.emplace(operation.c);
@@ -191,7 +192,7 @@ char joint(NameRules const &rules) { return rules.has_underscores ? '_' : '$'; }
 
 } // namespace
 
-VariableNames::VariableNames(Emission const &emission, FunctionBody const &body)
+VariableNames::VariableNames(Emission const &emission, PlanFunction const &body)
     : rules_(&emission.language.names),
       written_(emission.language.expressions.variable) {
   Graph const &graph = emission.graph();

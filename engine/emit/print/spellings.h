@@ -3,7 +3,7 @@
 #pragma once
 
 #include "engine/emit/language/language.h"
-#include "engine/plan/schedule/schedule.h"
+#include "engine/plan/plan.h"
 
 #include <array>
 #include <string>
@@ -53,7 +53,7 @@ std::vector<std::string> bridge_names(Graph const &graph, Language const &langua
 // Distinct from each other and from the other names of the generated functions. Takes 8 bytes a variable.
 class VariableNames {
 public:
-  VariableNames(Emission const &emission, FunctionBody const &body);
+  VariableNames(Emission const &emission, PlanFunction const &body);
 
   void append_to(std::string &text, std::size_t variable) const;
   std::string operator()(std::size_t variable) const;

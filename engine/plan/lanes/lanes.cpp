@@ -15,7 +15,7 @@ constexpr std::size_t most_operations = 3000;
 
 } // namespace
 
-std::string obstacle_to_lanes(Schedule const &plan) {
+std::string obstacle_to_lanes(Plan const &plan) {
   std::vector<char> const live = live_nodes(*plan.graph);
   std::size_t operations = 0;
   for (NodeId id = 0; id < plan.graph->nodes.size(); ++id) {
@@ -26,12 +26,12 @@ std::string obstacle_to_lanes(Schedule const &plan) {
   }
   if (operations > most_operations)
     return fmt::format("it has {} operations, more than {}", operations, most_operations);
-  if (std::ranges::any_of(plan.compute.region, [](RegionId region) { return region != everywhere; }))
+  if (std::ranges::any_of(plan.compute().region, [](RegionId region) { return region != everywhere; }))
     return "some of it is computed under conditions only";
   return {};
 }
 
-Laned laned(Schedule const &plan, std::size_t width) {
+Laned laned(Plan const &plan, std::size_t width) {
   if (std::string why = obstacle_to_lanes(plan); !why.empty()) return {{}, std::move(why)};
   lanes::ScalarFunction const function(plan, width);
   lanes::LaneFunction found = lanes::lane_function(function, lanes::search(function));

@@ -6,8 +6,7 @@
 // same operations as before. Details: docs/reference/lanes.md.
 #pragma once
 
-#include "engine/plan/lanes/lane_program.h"
-#include "engine/plan/schedule/schedule.h"
+#include "engine/plan/plan.h"
 
 #include <optional>
 #include <string>
@@ -20,10 +19,10 @@ struct Laned {
 };
 
 // Reason why compute cannot have vectors; empty if it can.
-std::string obstacle_to_lanes(Schedule const &plan);
+std::string obstacle_to_lanes(Plan const &plan);
 
-// Function compute of the schedule with vectors of `width` numbers. The result is always proved (check.h).
-Laned laned(Schedule const &plan, std::size_t width);
+// Function compute of the plan with vectors of `width` numbers. The result is always proved (check.h).
+Laned laned(Plan const &plan, std::size_t width);
 
 // Description of the share of operations in vectors.
 std::string describe(lanes::LaneFunction const &function);

@@ -1,21 +1,21 @@
-// Scalar function: function compute of a schedule, whose operations are packed into vectors.
+// Scalar function: function compute of a plan, whose operations are packed into vectors.
 #pragma once
 
-#include "engine/plan/lanes/lane_program.h"
+#include "engine/plan/plan.h"
 
 namespace symreal::lanes {
 
 class ScalarFunction {
 public:
   // `plan` must outlive this object.
-  ScalarFunction(Schedule const &plan, std::size_t width) : plan_(plan), width_(width) {
+  ScalarFunction(Plan const &plan, std::size_t width) : plan_(plan), width_(width) {
     for (Guard const &guard : plan.graph->guards) conditions_.push_back(guard.condition);
   }
 
   Graph const &graph() const { return *plan_.graph; }
   Node const &node(NodeId id) const { return graph().nodes[id]; }
   std::size_t width() const { return width_; }
-  std::vector<NodeId> const &results() const { return plan_.compute.results; }
+  std::vector<NodeId> const &results() const { return plan_.compute().results; }
   std::vector<NodeId> const &conditions() const { return conditions_; } // of guards
 
   bool is_constant(NodeId id) const { return node(id).is_constant(); }
@@ -25,15 +25,7 @@ public:
     internal_check(element.has_value());
     return *element;
   }
-  std::size_t extent(Array array) const {
-    switch (array) {
-    case Array::input: return graph().input_count();
-    case Array::constants: return plan_.constant_count;
-    case Array::sine:
-    case Array::cosine: return plan_.angles.size();
-    }
-    return 0;
-  }
+  std::size_t extent(Array array) const { return plan_.extent(array); }
   // Whether an operation of this function computes the node.
   bool is_computed(NodeId id) const { return !is_constant(id) && !is_element(id); }
   // Whether vectors have the operation: exact or correctly rounded in each lane.
@@ -44,7 +36,7 @@ public:
   }
 
 private:
-  Schedule const &plan_;
+  Plan const &plan_;
   std::size_t width_;
   std::vector<NodeId> conditions_;
 };

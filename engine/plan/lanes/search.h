@@ -58,4 +58,7 @@ struct VectorChoice {
 
 VectorChoice search(ScalarFunction const &function);
 
+// Lane function of the vectors that the search found: their sources and order.
+LaneFunction lane_function(ScalarFunction const &function, VectorChoice const &found);
+
 } // namespace symreal::lanes

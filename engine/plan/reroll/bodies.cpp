@@ -14,7 +14,7 @@ namespace symreal::reroll {
 
 namespace {
 
-bool is_on_circle(Leaf const &leaf) { return leaf.kind == Leaf::Kind::sine || leaf.kind == Leaf::Kind::cosine; }
+bool is_on_circle(Leaf const &leaf) { return leaf.array == Array::sine || leaf.array == Array::cosine; }
 
 // Whether all accessed angles are inputs: passes may read an angle itself, which a body can only do for inputs.
 bool are_of_inputs(Access const &access, std::uint32_t count, Angles const &angles) {
@@ -36,7 +36,7 @@ public:
     for (std::uint32_t k = 0; k < step.leaves.size(); ++k) {
       Leaf const &leaf = step.leaves[k];
       auto const of_same_angle = [&](Leaf const &other) { return is_on_circle(other) && other.access == leaf.access; };
-      if (leaf.kind == Leaf::Kind::values)
+      if (leaf.array == Array::values)
         tables_.push_back(k);
       else if (is_on_circle(leaf) && are_of_inputs(leaf.access, step.count, angles))
         angle_[k] = static_cast<std::uint32_t>(std::ranges::find_if(step.leaves, of_same_angle) - step.leaves.begin());
@@ -82,10 +82,10 @@ public:
       } else if (node.op == Op::input) {
         if (is_angle(node.slot()) && !is_read_[id]) continue;
         now[id] = body.leaf(is_angle(node.slot()) ? input_of(node.slot()) : step_.leaves[node.slot()]);
-        if (step_.leaves[node.slot()].kind == Leaf::Kind::carried) carried[node.slot()] = now[id];
+        if (step_.leaves[node.slot()].is_carried) carried[node.slot()] = now[id];
       } else if (is_element(graph, node)) {
-        Leaf::Kind const kind = node.op == Op::sin ? Leaf::Kind::sine : Leaf::Kind::cosine;
-        now[id] = body.leaf({kind, step_.leaves[graph.nodes[node.operand[0]].slot()].access});
+        Array const array = node.op == Op::sin ? Array::sine : Array::cosine;
+        now[id] = body.leaf({array, step_.leaves[graph.nodes[node.operand[0]].slot()].access});
       } else {
         now[id] = body.operation(node.op, moved(node, now), id);
       }
@@ -93,7 +93,7 @@ public:
     std::size_t result = 0;
     for (Store const &store : step_.stores) body.store(now[graph.results[result++]], store.is_result, store.access);
     for (std::uint32_t k = 0; k < step_.leaves.size(); ++k) {
-      if (step_.leaves[k].kind != Leaf::Kind::carried) continue;
+      if (!step_.leaves[k].is_carried) continue;
       NodeId const next = graph.results[result++];
       if (carried[k] != no_node) body.carry(carried[k], now[next]);
     }
@@ -103,12 +103,12 @@ public:
 private:
   NodeId leaf(std::uint32_t slot, NodeTable &table) const {
     Leaf const &leaf = step_.leaves[slot];
-    if (leaf.kind == Leaf::Kind::values)
+    if (leaf.array == Array::values)
       return table.intern(
           Node::parameter(static_cast<std::uint32_t>(std::ranges::find(tables_, slot) - tables_.begin())));
     if (!is_angle(slot)) return table.intern(Node::input(slot));
     NodeId const angle = table.intern(Node::input(angle_.at(slot)));
-    return table.intern(table.operation(leaf.kind == Leaf::Kind::sine ? Op::sin : Op::cos, angle));
+    return table.intern(table.operation(leaf.array == Array::sine ? Op::sin : Op::cos, angle));
   }
 
   bool is_angle(std::uint32_t slot) const { return angle_.contains(slot); }
@@ -123,7 +123,7 @@ private:
   Leaf input_of(std::uint32_t slot) const {
     std::vector<std::uint32_t> inputs;
     for (std::uint32_t k = 0; k < step_.count; ++k) inputs.push_back(angles_.inputs[step_.leaves[slot].access.at(k)]);
-    return {Leaf::Kind::given, access_of(std::move(inputs))};
+    return {Array::input, access_of(std::move(inputs))};
   }
 
   // Nodes that stores need, and loop-carried values with a reader. Marks the nodes that come from tables, and the
@@ -148,7 +148,7 @@ private:
       }
       std::size_t result = step_.stores.size();
       for (std::uint32_t k = 0; k < step_.leaves.size(); ++k) {
-        if (step_.leaves[k].kind != Leaf::Kind::carried) continue;
+        if (!step_.leaves[k].is_carried) continue;
         NodeId const next = graph.results[result++];
         for (NodeId id = 0; id < graph.nodes.size(); ++id)
           if (needed[id] && !needed[next] && graph.nodes[id].op == Op::input && graph.nodes[id].slot() == k)
@@ -182,7 +182,7 @@ private:
 
   NodeId column(std::vector<std::vector<double>> const &columns, NodeId id, BodyBuilder &body) const {
     Role const role = role_of_values(columns[id], step_.nest);
-    return role.constant ? body.constant(*role.constant) : body.leaf({role.kind, {}, role.values, role.by_turn});
+    return role.constant ? body.constant(*role.constant) : body.leaf({role.array, {}, role.values, role.by_turn});
   }
 
   LoopStep const &step_;

@@ -4,8 +4,8 @@
 // first, and the search works on a body: a thousandth of the operations, for the benefit of all iterations.
 #pragma once
 
-#include "engine/plan/reroll/loop_program.h"
-#include "engine/plan/schedule/schedule.h"
+#include "engine/plan/loop_function.h"
+#include "engine/plan/plan.h"
 
 #include <functional>
 

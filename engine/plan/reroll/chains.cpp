@@ -38,10 +38,10 @@ std::vector<std::vector<std::uint32_t>> seeds(Sequence const &sequence) {
     std::array<std::uint64_t, 3> words = {};
     for (unsigned i = 0; i < operation.count; ++i) {
       NodeId const node = operation.operands[i].node;
-      Source const source = sequence.source(node);
-      bool const has_name = source != Source::computed || is_shared[node];
+      Array const source = sequence.array(node);
+      bool const has_name = source != Array::memory || is_shared[node];
       words[i] = has_name ? node + std::uint64_t{2} : 1;
-      is_named = is_named || (has_name && source != Source::constant);
+      is_named = is_named || (has_name && source != Array::values);
     }
     if (operation.may_exchange && words[1] < words[0]) std::swap(words[0], words[1]);
     for (std::uint64_t const word : words) token = token * base + word;

@@ -65,21 +65,15 @@ private:
       array.at(store.access.at(k)) = values[store.value];
     }
     for (std::size_t slot = 0; slot < step.leaves.size(); ++slot)
-      if (step.leaves[slot].kind == Leaf::Kind::carried) carried[slot] = values[step.leaves[slot].next];
+      if (step.leaves[slot].is_carried) carried[slot] = values[step.leaves[slot].next];
   }
 
   Value leaf(LoopStep const &step, Leaf const &leaf, std::uint32_t k, Value const &carried) {
-    if (has_results_ && is_argument(leaf.kind)) difference_ = "an input is read after a result is stored";
-    switch (leaf.kind) {
-    case Leaf::Kind::given:
-    case Leaf::Kind::read:
-    case Leaf::Kind::sine:
-    case Leaf::Kind::cosine: return numbering_.element(static_cast<std::uint32_t>(leaf.kind), leaf.access.at(k));
-    case Leaf::Kind::memory: return memory_.at(leaf.access.at(k));
-    case Leaf::Kind::values: return numbering_.constant(value_at(leaf, k, step.nest));
-    case Leaf::Kind::carried: return k == 0 ? memory_.at(leaf.access.at(0)) : carried;
-    }
-    return {};
+    if (has_results_ && is_argument(leaf.array)) difference_ = "an input is read after a result is stored";
+    if (leaf.array == Array::values) return numbering_.constant(value_at(leaf, k, step.nest));
+    if (leaf.array != Array::memory)
+      return numbering_.element(static_cast<std::uint32_t>(leaf.array), leaf.access.at(k));
+    return leaf.is_carried && k != 0 ? carried : memory_.at(leaf.access.at(k));
   }
 
   Value operation(Node const &node, std::vector<Value> const &values) {
@@ -93,13 +87,13 @@ private:
     std::vector<Value> values(graph.nodes.size());
     for (NodeId id = 0; id < graph.nodes.size(); ++id) {
       Node const &node = graph.nodes[id];
-      Source const source = sequence_.source(id);
-      if (source == Source::computed)
+      Array const source = sequence_.array(id);
+      if (source == Array::memory)
         values[id] = operation(node, values);
-      else if (source == Source::constant)
+      else if (source == Array::values)
         values[id] = numbering_.constant(node.value());
-      else if (source != Source::input || is_leaf(node.op))
-        values[id] = numbering_.element(static_cast<std::uint32_t>(array_of(source)), sequence_.element(id));
+      else if (source != Array::input || is_leaf(node.op))
+        values[id] = numbering_.element(static_cast<std::uint32_t>(source), sequence_.element(id));
     }
     return values;
   }

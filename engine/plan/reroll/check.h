@@ -6,7 +6,7 @@
 // At the end each stored element must hold the value that the graph gives.
 #pragma once
 
-#include "engine/plan/reroll/loop_program.h"
+#include "engine/plan/loop_function.h"
 #include "engine/plan/reroll/sequence.h"
 
 namespace symreal::reroll {

@@ -41,7 +41,7 @@ private:
     Column column;
     for (std::uint32_t k = 0; k < repeat_.count; ++k) {
       NodeId const node = operand_at(k, p, i).node;
-      if (sequence_.source(node) == Source::constant)
+      if (sequence_.array(node) == Array::values)
         column.values.push_back(sequence_.graph->nodes[node].value());
       else
         column.nodes.push_back(node);

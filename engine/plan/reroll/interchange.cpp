@@ -91,7 +91,7 @@ private:
       return made == no_position || made < chains_.begin(longest_) ? 0 : at - made;
     };
     auto const fit = [&](NodeId x, NodeId y) {
-      return sequence_.source(x) == sequence_.source(y) && back(x, a) == back(y, b);
+      return sequence_.array(x) == sequence_.array(y) && back(x, a) == back(y, b);
     };
     return match(sequence_.operations[a], sequence_.operations[b], fit) != Match::none;
   }

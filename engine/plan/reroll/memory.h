@@ -7,8 +7,8 @@
 // last iteration is read, such as a sum, has one element. Elements whose value is dead are reused.
 #pragma once
 
+#include "engine/plan/loop_function.h"
 #include "engine/plan/reroll/columns.h"
-#include "engine/plan/reroll/loop_program.h"
 
 #include <map>
 #include <optional>

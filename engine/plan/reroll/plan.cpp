@@ -50,11 +50,8 @@ std::vector<Piece> pieces(Sequence const &sequence, std::vector<LoopBody> const 
 
 // Whether the piece reads arrays that results may overlap. `roles`: per loop and column.
 bool reads_arguments(Piece const &piece, Sequence const &sequence, std::vector<std::vector<Role>> const &roles) {
-  if (piece.loop != no_position) return std::ranges::any_of(roles[piece.loop], is_argument, &Role::kind);
-  auto const is_given = [&](NodeId node) {
-    Source const source = sequence.source(node);
-    return source != Source::computed && source != Source::constant && is_argument(array_of(source));
-  };
+  if (piece.loop != no_position) return std::ranges::any_of(roles[piece.loop], is_argument, &Role::array);
+  auto const is_given = [&](NodeId node) { return is_argument(sequence.array(node)); };
   for (std::uint32_t at = piece.begin; at < piece.end; ++at)
     for (unsigned i = 0; i < sequence.operations[at].count; ++i)
       if (is_given(sequence.operations[at].operands[i].node)) return true;
@@ -70,17 +67,10 @@ LoopStep straight_step(Piece const &piece, Sequence const &sequence, Memory cons
     auto const [entry, is_new] = now.try_emplace(node, no_node);
     if (!is_new) return entry->second;
     Node const &there = sequence.graph->nodes[node];
-    switch (sequence.source(node)) {
-    case Source::computed: entry->second = body.leaf({Leaf::Kind::memory, {memory.home(node)}}); break;
-    case Source::constant: entry->second = body.constant(there.value()); break;
-    case Source::input:
-    case Source::read:
-    case Source::sine:
-    case Source::cosine: {
-      Leaf::Kind const array = array_of(sequence.source(node));
-      entry->second = body.leaf({array, {sequence.element(node)}});
-      break;
-    }
+    switch (Array const array = sequence.array(node)) {
+    case Array::memory: entry->second = body.leaf({array, {memory.home(node)}}); break;
+    case Array::values: entry->second = body.constant(there.value()); break;
+    default: entry->second = body.leaf({array, {sequence.element(node)}});
     }
     return entry->second;
   };
@@ -109,7 +99,7 @@ public:
   NodeId leaf(std::uint32_t next, std::vector<NodeId> first) {
     auto const [entry, is_new] = leaves_.try_emplace({next, first}, no_node);
     if (!is_new) return entry->second;
-    Leaf leaf{Leaf::Kind::carried, {memory_.home(first.front())}};
+    Leaf leaf{.array = Array::memory, .access = {memory_.home(first.front())}, .is_carried = true};
     first.erase(first.begin());
     if (!first.empty()) leaf.next = this->leaf(next, std::move(first));
     return entry->second = body_.leaf(std::move(leaf));
@@ -272,8 +262,7 @@ private:
         return cell && cell->loop == loop;
       };
       result.push_back(std::ranges::none_of(roles_[loop], [&](Role const &role) {
-        return role.kind == Leaf::Kind::carried || (role.cell && role.cell->loop == loop) ||
-               std::ranges::any_of(role.nodes, is_own);
+        return role.is_carried || (role.cell && role.cell->loop == loop) || std::ranges::any_of(role.nodes, is_own);
       }));
     }
     return result;
@@ -284,9 +273,9 @@ private:
     std::set<NodeId> kept;
     for (auto const *roots : {&stored_, &checked_})
       for (NodeId root : *roots) {
-        Source const source = sequence_.source(root);
-        bool const is_number = source == Source::constant && roots == &stored_;
-        if (source != Source::computed && !is_number && kept.insert(root).second) pieces_.back().kept.push_back(root);
+        Array const source = sequence_.array(root);
+        bool const is_number = source == Array::values && roots == &stored_;
+        if (source != Array::memory && !is_number && kept.insert(root).second) pieces_.back().kept.push_back(root);
       }
   }
 
@@ -301,8 +290,7 @@ private:
   void need_roots() {
     auto const copied = static_cast<std::uint32_t>(pieces_.size()); // by the steps behind all pieces
     for (std::size_t k = 0; k < stored_.size(); ++k)
-      if (!direct_.is_stored[k] && sequence_.source(stored_[k]) != Source::constant)
-        memory_.need_kept(stored_[k], copied);
+      if (!direct_.is_stored[k] && sequence_.array(stored_[k]) != Array::values) memory_.need_kept(stored_[k], copied);
     for (NodeId root : checked_) memory_.need_kept(root, copied);
   }
 

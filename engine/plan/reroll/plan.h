@@ -1,7 +1,7 @@
 // Planning of loops: the steps of a function, which are its repeats as loops and the straight pieces between them.
 #pragma once
 
-#include "engine/plan/reroll/loop_program.h"
+#include "engine/plan/loop_function.h"
 #include "engine/plan/reroll/repeats.h"
 
 namespace symreal::reroll {

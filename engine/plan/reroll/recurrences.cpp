@@ -59,7 +59,7 @@ public:
     std::size_t result = 0;
     for (Store &store : other.stores) store.value = other.body.results[result++];
     for (Leaf &leaf : other.leaves)
-      if (leaf.kind == Leaf::Kind::carried) leaf.next = other.body.results[result++];
+      if (leaf.is_carried) leaf.next = other.body.results[result++];
     return other;
   }
 
@@ -103,7 +103,7 @@ private:
 std::vector<Recurrence> recurrences(LoopStep const &step) {
   Places carried;
   for (std::uint32_t k = 0; k < step.leaves.size(); ++k)
-    if (step.leaves[k].kind == Leaf::Kind::carried) carried.push_back(k);
+    if (step.leaves[k].is_carried) carried.push_back(k);
   std::size_t const count = carried.size();
   std::vector<std::vector<char>> reaches; // within an iteration, then over any number of them
   for (std::uint32_t const from : carried) {

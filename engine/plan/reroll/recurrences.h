@@ -1,7 +1,7 @@
 // Recurrences of loops, and their reassociation for latency, for mode fast.
 #pragma once
 
-#include "engine/plan/reroll/loop_program.h"
+#include "engine/plan/loop_function.h"
 
 namespace symreal::reroll {
 

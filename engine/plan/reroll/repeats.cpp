@@ -11,9 +11,9 @@ namespace symreal::reroll {
 namespace {
 
 bool operands_match(Sequence const &sequence, std::uint32_t at, NodeId a, NodeId b, std::uint32_t period) {
-  Source const kind = sequence.source(a);
-  if (kind != sequence.source(b)) return false;
-  if (kind != Source::computed || a == b) return true;
+  Array const kind = sequence.array(a);
+  if (kind != sequence.array(b)) return false;
+  if (kind != Array::memory || a == b) return true;
   std::uint32_t const back_a = at - sequence.position[a], back_b = at + period - sequence.position[b];
   return back_a == back_b || (back_a > period && back_b > period);
 }
@@ -43,9 +43,9 @@ std::uint64_t token(Sequence const &sequence, std::uint32_t at) {
   std::array<std::uint64_t, 3> words = {};
   for (unsigned i = 0; i < operation.count; ++i) {
     NodeId const node = operation.operands[i].node;
-    Source const kind = sequence.source(node);
-    std::uint32_t const back = kind == Source::computed ? std::min(at - sequence.position[node], far) : 0;
-    words[i] = std::uint64_t{back} * 6 + static_cast<std::uint64_t>(kind) + 1;
+    Array const kind = sequence.array(node);
+    std::uint32_t const back = kind == Array::memory ? std::min(at - sequence.position[node], far) : 0;
+    words[i] = std::uint64_t{back} * 16 + static_cast<std::uint64_t>(kind) + 1;
   }
   if (operation.may_exchange && words[1] < words[0]) std::swap(words[0], words[1]);
   std::uint64_t hash = static_cast<std::uint64_t>(operation.op);

@@ -5,7 +5,7 @@
 // one iteration of a loop can compute either; operands that vary come from tables.
 #pragma once
 
-#include "engine/plan/reroll/nest.h"
+#include "engine/plan/nest.h"
 #include "engine/plan/reroll/sequence.h"
 
 namespace symreal::reroll {

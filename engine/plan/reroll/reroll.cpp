@@ -30,7 +30,7 @@ bool is_short(reroll::LoopStep const &step) {
   using reroll::Access, reroll::Leaf, reroll::Store;
   auto const fits = [&](Access const &access) { return !access.is_listed() || nested(access, *step.nest); };
   auto const is_short_leaf = [&](Leaf const &leaf) {
-    return leaf.kind == Leaf::Kind::values ? leaf.by_turn : fits(leaf.access);
+    return leaf.array == Array::values ? leaf.by_turn : fits(leaf.access);
   };
   return !step.nest ||
          (std::ranges::all_of(step.leaves, is_short_leaf) && std::ranges::all_of(step.stores, fits, &Store::access));
@@ -86,11 +86,11 @@ std::size_t text_of(reroll::LoopFunction const &function) {
   return size;
 }
 
-std::optional<reroll::LoopFunction> loops_of(Schedule const &plan, bool in_compute, Wanted const &wanted) {
+std::optional<reroll::LoopFunction> loops_of(Plan const &plan, FunctionKind kind, Wanted const &wanted) {
   using namespace reroll;
   std::vector<NodeId> roots = wanted.stored;
   roots.insert(roots.end(), wanted.checked.begin(), wanted.checked.end());
-  auto const make = [&] { return sequence(plan, in_compute, roots); };
+  auto const make = [&] { return sequence(plan, kind, roots); };
   std::optional<OwnProducts> const own = with_own_products(make());
   std::optional<LoopFunction> loops = loops_of(make, nullptr, wanted);
   if (!own) return loops;
@@ -103,50 +103,55 @@ std::optional<reroll::LoopFunction> loops_of(Schedule const &plan, bool in_compu
 
 } // namespace
 
-Rerolled rerolled(Schedule const &plan, FloatingPoint mode) {
-  if (std::string why = obstacle(*plan.graph); !why.empty()) return {{}, {}, {}, std::move(why)};
+Rerolled rerolled(Plan const &plan, FloatingPoint mode) {
+  if (std::string why = obstacle(*plan.graph); !why.empty()) return {{}, std::move(why)};
   std::vector<NodeId> conditions;
   for (Guard const &guard : plan.graph->guards) conditions.push_back(guard.condition);
-  Rerolled loops{loops_of(plan, false, {plan.preprocess.results, {}, {}, mode}),
-                 loops_of(plan, true, {plan.compute.results, conditions, plan.graph->outputs, mode}),
-                 loops_of(plan, true, {plan.angles.computed.results, {}, {}, mode})};
+  std::vector<NodeId> const unchecked;
+  std::vector<Object> const unnamed;
+  Rerolled loops;
+  for (PlanFunction const &function : plan.functions) {
+    Wanted const wanted{function.results, info(function.kind).guards == GuardExit::none ? unchecked : conditions,
+                        info(function.kind).fills == Array::output ? plan.graph->outputs : unnamed, mode};
+    if (std::optional<reroll::LoopFunction> found = loops_of(plan, function.kind, wanted))
+      loops.functions.emplace(function.kind, std::move(*found));
+  }
   if (!loops.has_loops()) loops.why_not = "no operations repeat often enough";
   return loops;
 }
 
 Rerolled improved(Rerolled loops, Angles const &angles, reroll::Improve const &improve) {
-  for (auto *const function : {&loops.preprocess, &loops.compute, &loops.computed_angles})
-    if (*function) reroll::improve_bodies(**function, angles, improve);
+  for (auto &[kind, function] : loops.functions) reroll::improve_bodies(function, angles, improve);
   return loops;
 }
 
-OperationCounts executed_operations(Schedule const &plan, Rerolled const &loops) {
+OperationCounts executed_operations(Plan const &plan, Rerolled const &loops) {
   OperationCounts counts;
   for (Op const op : {Op::sin, Op::cos}) counts[op] += plan.angles.size();
-  for (auto const *function : {&loops.compute, &loops.computed_angles}) {
-    if (!*function) continue;
-    for (reroll::LoopStep const &step : (*function)->steps) {
+  for (auto const &[kind, function] : loops.functions)
+    for (reroll::LoopStep const &step : function.steps) {
+      if (kind == FunctionKind::preprocess) break;
       OperationCounts const body = live_operations(step.body);
       for (OperationInfo const &operation : operations()) counts[operation.op] += step.count * body[operation.op];
     }
-  }
-  if (loops.computed_angles) return counts;
-  for (reroll::Operation const &operation : reroll::sequence(plan, true, plan.angles.computed.results).operations)
+  PlanFunction const *const angles = plan.find(FunctionKind::angles);
+  if (!angles || loops.functions.contains(FunctionKind::angles)) return counts;
+  for (reroll::Operation const &operation : reroll::sequence(plan, angles->kind, angles->results).operations)
     ++counts[plan.graph->nodes[operation.node].op];
   return counts;
 }
 
+Plan with_loops(Plan plan, Rerolled loops) {
+  for (auto &[kind, function] : loops.functions) plan.make(kind).loops = std::move(function);
+  return plan;
+}
+
 std::string describe(Rerolled const &loops) {
   std::string text;
-  auto const add = [&](char const *name, std::optional<reroll::LoopFunction> const &function) {
-    if (!function) return;
-    text += fmt::format("{}{}: {} loop{} hold{} {} of {} operations", text.empty() ? "" : "; ", name, function->loops,
-                        function->loops == 1 ? "" : "s", function->loops == 1 ? "s" : "", function->in_loops,
-                        function->operations);
-  };
-  add("preprocess", loops.preprocess);
-  add("angles", loops.computed_angles);
-  add("compute", loops.compute);
+  for (auto const &[kind, function] : loops.functions)
+    text += fmt::format("{}{}: {} loop{} hold{} {} of {} operations", text.empty() ? "" : "; ", info(kind).name,
+                        function.loops, function.loops == 1 ? "" : "s", function.loops == 1 ? "s" : "",
+                        function.in_loops, function.operations);
   return text;
 }
 

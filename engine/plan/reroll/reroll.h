@@ -10,31 +10,34 @@
 #pragma once
 
 #include "engine/ops/floating_point.h"
+#include "engine/plan/plan.h"
 #include "engine/plan/reroll/bodies.h"
-#include "engine/plan/schedule/schedule.h"
 
-#include <optional>
+#include <map>
 #include <string>
 
 namespace symreal {
 
-// Loop programs of the functions; nullopt for a function without loops.
+// Loops that replace the statements of functions.
 struct Rerolled {
-  std::optional<reroll::LoopFunction> preprocess, compute, computed_angles = {};
-  std::string why_not = {}; // the reason, if no function has loops
+  std::map<FunctionKind, reroll::LoopFunction> functions = {}; // those with loops
+  std::string why_not = {};                                    // the reason, if no function has loops
 
-  bool has_loops() const { return preprocess || compute || computed_angles; }
+  bool has_loops() const { return !functions.empty(); }
 };
 
 // Rerolls all functions and proves the result (check.h). In modes other than strict, signs are chosen so that few
 // iterations multiply by them (signs.h).
-Rerolled rerolled(Schedule const &plan, FloatingPoint mode);
+Rerolled rerolled(Plan const &plan, FloatingPoint mode);
 
 // Applies passes to the bodies of loops and straight pieces (bodies.h).
 Rerolled improved(Rerolled loops, Angles const &angles, reroll::Improve const &improve);
 
 // Operations that compute executes in total, including the loops for sines and cosines. Requires loops.
-OperationCounts executed_operations(Schedule const &plan, Rerolled const &loops);
+OperationCounts executed_operations(Plan const &plan, Rerolled const &loops);
+
+// The plan with these loops.
+Plan with_loops(Plan plan, Rerolled loops);
 
 // Description of the share of operations that the loops cover.
 std::string describe(Rerolled const &loops);

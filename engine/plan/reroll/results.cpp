@@ -226,7 +226,7 @@ void add_copies(Graph const &graph, Copies const &copies, Memory const &memory, 
   for (auto const &[times, lines] : loops) {
     BodyBuilder body(graph);
     for (CopyLine const &line : lines)
-      body.store(line.constant == no_node ? body.leaf({Leaf::Kind::memory, line.element})
+      body.store(line.constant == no_node ? body.leaf({Array::memory, line.element})
                                           : body.constant(graph.nodes[line.constant].value()),
                  copies.are_results, line.place);
     steps.push_back(body.finish(static_cast<std::uint32_t>(times.first)));
@@ -242,7 +242,7 @@ void add_copies(Graph const &graph, Copies const &copies, Memory const &memory, 
     if (done[number]) continue;
     NodeId const node = copies.nodes[number];
     body.store(is_number(graph, node, memory) ? body.constant(graph.nodes[node].value())
-                                              : body.leaf({Leaf::Kind::memory, {memory.home(node)}}),
+                                              : body.leaf({Array::memory, {memory.home(node)}}),
                copies.are_results, {copies.places[number]});
     if (++in_body == most_stores) finish();
   }

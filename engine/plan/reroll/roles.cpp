@@ -29,7 +29,7 @@ public:
         memory_(memory) {}
 
   Role choose(Copy const &copy) {
-    Role role{Leaf::Kind::memory};
+    Role role{Array::memory};
     if (std::ranges::all_of(nodes_, [&](NodeId node) { return node == nodes_.front(); })) {
       memory_.need(role.node = nodes_.front(), here());
       return role;
@@ -40,7 +40,7 @@ public:
       return role;
     }
     if (is_carried()) {
-      role.kind = Leaf::Kind::carried;
+      role.is_carried = true;
       role.next = cell_.position;
       for (std::size_t k : elsewhere_) memory_.need(role.nodes.emplace_back(nodes_[k]), here());
       return role;
@@ -97,11 +97,11 @@ private:
 Role plain_role(Sequence const &sequence, std::vector<LoopBody> const &loops, std::uint32_t loop, Column const &column,
                 Memory &memory, Copy const &copy) {
   if (column.nodes.empty()) return role_of_values(column.values);
-  Source const source = sequence.source(column.nodes.front());
-  if (source == Source::computed) return MemoryRole(sequence, loops, loop, column.nodes, memory).choose(copy);
+  Array const source = sequence.array(column.nodes.front());
+  if (source == Array::memory) return MemoryRole(sequence, loops, loop, column.nodes, memory).choose(copy);
   std::vector<std::uint32_t> elements;
   for (NodeId node : column.nodes) elements.push_back(sequence.element(node));
-  return {.kind = array_of(source), .access = access_of(std::move(elements))};
+  return {.array = source, .access = access_of(std::move(elements))};
 }
 
 // Operation that computes the operand in the row before, with each chain's initial value; nullopt if it varies.
@@ -133,7 +133,7 @@ std::optional<Role> role_in_rows(Sequence const &sequence, std::vector<LoopBody>
     role.by_turn = true;
     return role;
   }
-  if (sequence.source(column.nodes.front()) != Source::computed) {
+  if (sequence.array(column.nodes.front()) != Array::memory) {
     Role role = plain_role(sequence, loops, loop, column, memory, copy);
     return role.access.is_listed() && !nested(role.access, rows) ? std::nullopt : std::optional(role);
   }
@@ -142,7 +142,7 @@ std::optional<Role> role_in_rows(Sequence const &sequence, std::vector<LoopBody>
   for (Entry const &known : entries)
     if (known.position == entry->position) return {}; // with other nodes, as columns are distinct
   memory.need({loop, entry->position, 0}, memory.step_of_loop(loop));
-  Role role{Leaf::Kind::memory};
+  Role role{Array::memory};
   role.cell = Cell{loop, entry->position, 0};
   role.in_chain = true;
   for (NodeId const node : entry->nodes) memory.need(node, memory.step_of_loop(loop));
@@ -172,17 +172,8 @@ std::optional<Role> choose_role(Sequence const &sequence, std::vector<LoopBody> 
   return plain_role(sequence, loops, loop, column, memory, copy);
 }
 
-Leaf::Kind array_of(Source source) {
-  switch (source) {
-  case Source::read: return Leaf::Kind::read;
-  case Source::sine: return Leaf::Kind::sine;
-  case Source::cosine: return Leaf::Kind::cosine;
-  default: return Leaf::Kind::given;
-  }
-}
-
 Leaf leaf_of(Role const &role, Memory const &memory, std::optional<Nest> const &nest) {
-  Leaf leaf{role.kind, role.access, role.values, role.by_turn};
+  Leaf leaf{role.array, role.access, role.values, role.by_turn, role.is_carried};
   if (role.in_chain && role.cell) {
     leaf.access = memory.in_iterations(role.cell->loop, role.cell->position);
   } else if (role.cell) {
@@ -194,7 +185,7 @@ Leaf leaf_of(Role const &role, Memory const &memory, std::optional<Nest> const &
     for (NodeId node : role.nodes) elements.push_back(memory.home(node));
     leaf.access = access_of(std::move(elements));
   }
-  if (role.by_turn && role.kind != Leaf::Kind::values) leaf.access = in_turns(leaf.access, *nest);
+  if (role.by_turn && role.array != Array::values) leaf.access = in_turns(leaf.access, *nest);
   return leaf;
 }
 

@@ -11,7 +11,7 @@
 namespace symreal::reroll {
 
 struct Role {
-  Leaf::Kind kind = Leaf::Kind::values;
+  Array array = Array::values;
   std::optional<double> constant = {}; // of values that are all equal
   std::vector<double> values = {};     // one period of them, if they differ
   bool by_turn = false;                // one value, or element, per turn of the outer loop
@@ -23,6 +23,7 @@ struct Role {
   NodeId node = no_node;
   // A loop-carried value: the body operation that computes it, and in `nodes` its values in the first iterations,
   // one for each iteration that it is carried over.
+  bool is_carried = false;
   std::uint32_t next = no_position;
   std::vector<NodeId> nodes = {};
 };
@@ -46,8 +47,5 @@ std::optional<Role> choose_role(Sequence const &sequence, std::vector<LoopBody> 
 
 // Leaf for the role, after memory is laid out. `nest`: that of the loop.
 Leaf leaf_of(Role const &role, Memory const &memory, std::optional<Nest> const &nest = {});
-
-// Array that holds a node from this source; not for computed nodes.
-Leaf::Kind array_of(Source source);
 
 } // namespace symreal::reroll

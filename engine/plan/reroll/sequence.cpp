@@ -25,8 +25,7 @@ constexpr std::uint32_t near = 16;         // window size in operations
 NodeId multiplied(Sequence const &sequence, Operation const &operation) {
   if (operation.op != Op::mul) return no_node;
   NodeId const a = operation.operands[0].node, b = operation.operands[1].node;
-  bool const a_is_constant = sequence.source(a) == Source::constant,
-             b_is_constant = sequence.source(b) == Source::constant;
+  bool const a_is_constant = sequence.array(a) == Array::values, b_is_constant = sequence.array(b) == Array::values;
   return a_is_constant == b_is_constant ? no_node : a_is_constant ? b : a;
 }
 
@@ -105,15 +104,15 @@ private:
 
 } // namespace
 
-Sequence sequence(Schedule const &plan, bool in_compute, std::vector<NodeId> const &roots) {
+Sequence sequence(Plan const &plan, FunctionKind kind, std::vector<NodeId> const &roots) {
   Graph const &graph = *plan.graph;
   std::vector<std::uint32_t> const none(graph.nodes.size(), no_slot);
   Sequence result{&graph,
                   {},
                   std::vector<std::uint32_t>(graph.nodes.size(), no_position),
-                  in_compute ? plan.constant_slot : none,
-                  in_compute && !plan.angles.element.empty() ? plan.angles.element : none};
-  std::vector<char> const needed = needed_operations(plan, in_compute, roots);
+                  reads_elements(kind) ? plan.constant_slot : none,
+                  reads_elements(kind) && !plan.angles.element.empty() ? plan.angles.element : none};
+  std::vector<char> const needed = needed_operations(plan, kind, roots);
   for (std::size_t id = 0; id < graph.nodes.size(); ++id) {
     if (!needed[id]) continue;
     result.position[id] = static_cast<std::uint32_t>(result.operations.size());

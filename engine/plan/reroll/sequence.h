@@ -1,7 +1,7 @@
 // Sequence: the operations of a function in recording order, which repeats are searched in.
 #pragma once
 
-#include "engine/plan/schedule/schedule.h"
+#include "engine/plan/plan.h"
 
 #include <array>
 #include <memory>
@@ -28,10 +28,6 @@ struct Operation {
   bool may_exchange = false; // the first two
 };
 
-// Source of a node in a function: a literal, the input, the array that preprocess fills, the sines and cosines at the
-// start (schedule/angles.h), or an operation of its own.
-enum class Source : std::uint8_t { constant, input, read, sine, cosine, computed };
-
 struct Sequence {
   Graph const *graph;
   std::vector<Operation> operations;
@@ -41,25 +37,27 @@ struct Sequence {
 
   std::size_t size() const { return operations.size(); }
   bool is_computed(NodeId node) const { return position[node] != no_position; }
-  Source source(NodeId node) const {
-    if (is_computed(node)) return Source::computed;
-    if (slot[node] != no_slot) return Source::read;
-    if (angle[node] != no_slot) return graph->nodes[node].op == Op::sin ? Source::sine : Source::cosine;
-    return graph->nodes[node].is_constant() ? Source::constant : Source::input;
+  // Array that the node is read from: `memory` if an operation of the sequence computes it, `values` for a literal.
+  Array array(NodeId node) const {
+    if (is_computed(node)) return Array::memory;
+    if (slot[node] != no_slot) return Array::constants;
+    Node const &here = graph->nodes[node];
+    if (angle[node] != no_slot) return here.op == Op::sin ? Array::sine : Array::cosine;
+    return here.is_constant() ? Array::values : here.op == Op::parameter ? Array::parameters : Array::input;
   }
-  // Index of the node in the array that it is read from.
+  // Index of the node in an array of other functions.
   std::uint32_t element(NodeId node) const {
-    switch (source(node)) {
-    case Source::read: return slot[node];
-    case Source::sine:
-    case Source::cosine: return angle[node];
+    switch (array(node)) {
+    case Array::constants: return slot[node];
+    case Array::sine:
+    case Array::cosine: return angle[node];
     default: return graph->nodes[node].slot();
     }
   }
 };
 
 // Sequence of the operations that `roots` need.
-Sequence sequence(Schedule const &plan, bool in_compute, std::vector<NodeId> const &roots);
+Sequence sequence(Plan const &plan, FunctionKind kind, std::vector<NodeId> const &roots);
 
 // A sequence with duplicates of products that several windows share.
 //

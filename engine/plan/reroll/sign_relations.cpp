@@ -80,9 +80,8 @@ void SignRelations::relate_leaves(std::size_t memory) {
   auto const source = [&](SignedBody const &body, NodeId id, std::uint32_t k) -> std::optional<std::uint32_t> {
     Leaf const *const leaf = body.leaf(id);
     if (!leaf) return {};
-    if (leaf->kind == Leaf::Kind::carried && k > 0) return body.value(k - 1, leaf->next);
-    bool const is_in_memory = leaf->kind == Leaf::Kind::memory || leaf->kind == Leaf::Kind::carried;
-    return is_in_memory ? stored[leaf->access.at(k)] : std::nullopt;
+    if (leaf->is_carried && k > 0) return body.value(k - 1, leaf->next);
+    return leaf->array == Array::memory ? stored[leaf->access.at(k)] : std::nullopt;
   };
   for (SignedBody const &body : bodies_)
     for (std::uint32_t k = 0; k < body.count(); ++k) {

@@ -4,7 +4,7 @@
 // factor: in all iterations at once, or not at all if that contradicts earlier relations.
 #pragma once
 
-#include "engine/plan/reroll/loop_program.h"
+#include "engine/plan/loop_function.h"
 #include "engine/plan/reroll/relative_signs.h"
 
 #include <algorithm>
@@ -50,7 +50,7 @@ public:
   // Whether the node is a literal or a table entry, which can take either sign.
   bool is_number(NodeId id) const {
     Leaf const *const here = leaf(id);
-    return node(id).is_constant() || (here && here->kind == Leaf::Kind::values);
+    return node(id).is_constant() || (here && here->array == Array::values);
   }
   double number(NodeId id, std::uint32_t iteration) const {
     if (node(id).is_constant()) return node(id).value();

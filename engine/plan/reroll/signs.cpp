@@ -38,7 +38,7 @@ public:
                      store.is_result, store.access);
     }
     for (NodeId id = 0; id < body_.size(); ++id)
-      if (Leaf const *const leaf = body_.leaf(id); leaf && leaf->kind == Leaf::Kind::carried)
+      if (Leaf const *const leaf = body_.leaf(id); leaf && leaf->is_carried)
         builder_.carry(now_[id].node, as_related(leaf->next));
     return builder_.finish(body_.count(), body_.step().nest);
   }
@@ -145,7 +145,7 @@ private:
       there.negated = is_negative && (number >= positive_.size() || !positive_[number]);
       if (!there.negated) role.values = std::move(positive);
       there.node = role.constant ? builder_.constant(role.values.front())
-                                 : builder_.leaf({role.kind, {}, role.values, role.by_turn});
+                                 : builder_.leaf({role.array, {}, role.values, role.by_turn});
     }
     return {there.node, there.negated != is_negative};
   }

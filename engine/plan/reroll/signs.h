@@ -5,7 +5,7 @@
 // negated values of each iteration are chosen here, for all steps together, so that few factors remain.
 #pragma once
 
-#include "engine/plan/reroll/loop_program.h"
+#include "engine/plan/loop_function.h"
 
 namespace symreal::reroll {
 

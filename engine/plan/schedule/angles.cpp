@@ -12,7 +12,7 @@ namespace {
 bool is_exact(Graph const &graph, NodeId id) { return !graph.node_exact.empty() && graph.node_exact[id]; }
 
 // Per node: whether it is a sine or cosine that is computed unconditionally.
-std::vector<char> candidates(Schedule const &plan) {
+std::vector<char> candidates(Plan const &plan) {
   Graph const &graph = *plan.graph;
   std::vector<char> const live = live_nodes(graph);
   std::vector<char> result(graph.nodes.size(), 0);
@@ -21,7 +21,7 @@ std::vector<char> candidates(Schedule const &plan) {
     bool const is_one = node.op == Op::sin || node.op == Op::cos;
     result[id] = is_one && live[id] && plan.constant_slot[id] == no_slot && !is_exact(graph, id);
   }
-  FunctionBody const &body = plan.compute;
+  PlanFunction const &body = plan.compute();
   std::vector<char> is_variable(body.regions.value_count(), 0);
   for (NodeId id : body.variables) is_variable[id] = 1;
   for (std::size_t k = 0; k < body.variables.size(); ++k) {
@@ -30,7 +30,7 @@ std::vector<char> candidates(Schedule const &plan) {
     for (nested.push(body.variables[k]); !nested.empty();) {
       NodeId const id = nested.pop();
       result[id] = 0;
-      if (is_read(plan, true, id)) continue;
+      if (is_read(plan, FunctionKind::compute, id)) continue;
       for (NodeId operand : graph.nodes[id].operand)
         if (operand != no_node && !is_variable[operand]) nested.push(operand);
     }
@@ -67,7 +67,7 @@ void give_elements(Graph const &graph, std::vector<char> const &wanted, std::vec
 }
 
 // Per node: whether it can be computed before all sines, by operations that may be repeated.
-std::vector<char> comes_first(Schedule const &plan) {
+std::vector<char> comes_first(Plan const &plan) {
   Graph const &graph = *plan.graph;
   std::vector<char> result(graph.nodes.size(), 0);
   for (NodeId id = 0; id < graph.nodes.size(); ++id) {
@@ -88,7 +88,7 @@ std::vector<NodeId> roots_of_compute(Graph const &graph) {
 }
 
 // Removes the other statements; checks and parts keep their places.
-template <class IsLeft> void leave_out(IsLeft const &is_left, FunctionBody &body) {
+template <class IsLeft> void leave_out(IsLeft const &is_left, PlanFunction &body) {
   std::vector<std::size_t> left(body.variables.size() + 1, 0); // per statement: remaining statements before it
   std::size_t count = 0;
   for (std::size_t k = 0; k < body.variables.size(); ++k) {
@@ -108,37 +108,41 @@ template <class IsLeft> void leave_out(IsLeft const &is_left, FunctionBody &body
 // Least number of computed angles: one vector of doubles; below that, a loop does not pay.
 constexpr std::size_t least_computed = 4;
 
-void add_computed(std::vector<char> wanted, Schedule &plan) {
+void add_computed(std::vector<char> wanted, Plan &plan) {
   Graph const &graph = *plan.graph;
-  if (!is_straight(graph, plan.compute) || !plan.compute.parts.empty()) return;
+  if (!is_straight(graph, plan.compute()) || !plan.compute().parts.empty()) return;
   std::vector<char> const is_first = comes_first(plan);
   for (NodeId id = 0; id < graph.nodes.size(); ++id) wanted[id] = wanted[id] && is_first[graph.nodes[id].operand[0]];
   std::vector<NodeId> const computed = angles_of(graph, wanted, false);
   if (computed.size() < least_computed) return;
-  std::vector<char> const before = needed_operations(plan, true, computed);
+  std::vector<char> const before = needed_operations(plan, FunctionKind::compute, computed);
   Angles const without = plan.angles;
   give_elements(graph, wanted, computed, plan.angles.inputs.size(), plan.angles.element);
-  std::vector<char> const behind = needed_operations(plan, true, roots_of_compute(graph));
+  std::vector<char> const behind = needed_operations(plan, FunctionKind::compute, roots_of_compute(graph));
   std::size_t twice = 0;
   for (NodeId id = 0; id < graph.nodes.size(); ++id) twice += before[id] && behind[id];
   if (2 * twice > computed.size()) {
     plan.angles = without;
     return;
   }
-  plan.angles.computed = lay_out(graph, computed, plan.constant_slot, plan.nesting);
-  leave_out([&](NodeId id) { return plan.angles.element[id] == no_slot && (behind[id] || is_read(plan, true, id)); },
-            plan.compute);
+  plan.make(FunctionKind::angles) = lay_out(FunctionKind::angles, computed, plan);
+  plan.angles.computed = computed.size();
+  leave_out(
+      [&](NodeId id) {
+        return plan.angles.element[id] == no_slot && (behind[id] || is_read(plan, FunctionKind::compute, id));
+      },
+      plan.compute());
 }
 
 } // namespace
 
-Schedule with_angles(Schedule plan) {
+Plan with_angles(Plan plan) {
   Graph const &graph = *plan.graph;
   std::vector<char> const wanted = candidates(plan);
   std::vector<NodeId> const inputs = angles_of(graph, wanted, true);
   for (NodeId const input : inputs) plan.angles.inputs.push_back(graph.nodes[input].slot());
   give_elements(graph, wanted, inputs, 0, plan.angles.element);
-  if (!inputs.empty()) leave_out([&](NodeId id) { return plan.angles.element[id] == no_slot; }, plan.compute);
+  if (!inputs.empty()) leave_out([&](NodeId id) { return plan.angles.element[id] == no_slot; }, plan.compute());
   add_computed(wanted, plan);
   return plan;
 }
@@ -149,8 +153,7 @@ std::string describe(Angles const &angles) {
   };
   std::string text;
   if (!angles.inputs.empty()) text = counted(angles.inputs.size(), "input");
-  if (std::size_t const computed = angles.computed.results.size(); computed != 0)
-    text += (text.empty() ? "" : " and ") + counted(computed, "computed angle");
+  if (angles.computed != 0) text += (text.empty() ? "" : " and ") + counted(angles.computed, "computed angle");
   return text.empty() ? text : fmt::format("compute: sine and cosine of {} side by side", text);
 }
 

@@ -12,7 +12,7 @@ namespace symreal {
 // The schedule without the statements of these sines and cosines. Statements in blocks stay, and exact operations.
 // Computed angles move to the start only if no statement is in a block or assigned to a thread, there are several
 // angles, and next to nothing must be recomputed for them.
-Schedule with_angles(Schedule plan);
+Plan with_angles(Plan plan);
 
 // Description of the sines and cosines at the start; empty without angles.
 std::string describe(Angles const &angles);

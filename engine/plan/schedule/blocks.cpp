@@ -12,10 +12,9 @@ constexpr std::size_t never = ~std::size_t{0};
 
 class Blocks {
 public:
-  Blocks(Schedule const &plan, FunctionBody const &body, bool in_compute, Chunks const &chunks, std::size_t chunk)
+  Blocks(Plan const &plan, PlanFunction const &body, Chunks const &chunks, std::size_t chunk)
       : plan_(plan),
         body_(body),
-        in_compute_(in_compute),
         chunks_(chunks),
         chunk_(chunk),
         first_(chunks.begin[chunk]),
@@ -33,7 +32,7 @@ public:
       }
       if (k == first_ + variables_.size()) break;
       move_to(body_.regions.literals(body_.region[k]));
-      for_each_operand(plan_, body_, in_compute_, body_.variables[k], [&](NodeId id) { note_read(id); });
+      for_each_operand(plan_, body_, body_.variables[k], [&](NodeId id) { note_read(id); });
       variables_[k - first_].block = open_.empty() ? never : open_.back().id;
       steps_.push_back({BlockStep::Kind::set, k});
     }
@@ -119,7 +118,7 @@ private:
   template <class Visit> void for_each_variable(NodeId use, Visit const &visit) const {
     for_each_read(
         *plan_.graph, use, [&](NodeId id) { return is_variable(id); },
-        [&](NodeId id) { return is_read(plan_, in_compute_, id); }, visit);
+        [&](NodeId id) { return is_read(plan_, body_.kind, id); }, visit);
   }
 
   bool is_own(NodeId id) const {
@@ -176,9 +175,8 @@ private:
     return at;
   }
 
-  Schedule const &plan_;
-  FunctionBody const &body_;
-  bool in_compute_;
+  Plan const &plan_;
+  PlanFunction const &body_;
   Chunks const &chunks_;
   std::size_t chunk_, first_;
   std::vector<Variable> variables_; // of this chunk, in order
@@ -189,9 +187,8 @@ private:
 
 } // namespace
 
-std::vector<BlockStep> blocks(Schedule const &plan, FunctionBody const &body, bool in_compute, Chunks const &chunks,
-                              std::size_t chunk) {
-  return Blocks(plan, body, in_compute, chunks, chunk).run();
+std::vector<BlockStep> blocks(Plan const &plan, PlanFunction const &body, Chunks const &chunks, std::size_t chunk) {
+  return Blocks(plan, body, chunks, chunk).run();
 }
 
 } // namespace symreal

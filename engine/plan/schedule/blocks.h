@@ -25,7 +25,6 @@ struct BlockStep {
   Literal literal = {};
 };
 
-std::vector<BlockStep> blocks(Schedule const &plan, FunctionBody const &body, bool in_compute, Chunks const &chunks,
-                              std::size_t chunk);
+std::vector<BlockStep> blocks(Plan const &plan, PlanFunction const &body, Chunks const &chunks, std::size_t chunk);
 
 } // namespace symreal

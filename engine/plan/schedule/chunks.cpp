@@ -15,7 +15,7 @@ namespace {
 // Cut points of a long function body.
 class Cuts {
 public:
-  Cuts(Schedule const &plan, FunctionBody const &body, bool in_compute) : loaded_by_(body.variables.size(), nowhere) {
+  Cuts(Plan const &plan, PlanFunction const &body) : loaded_by_(body.variables.size(), nowhere) {
     std::vector<std::uint32_t> statement(body.regions.value_count(), nowhere),
         last_reader(body.variables.size(), nowhere);
     auto const end = static_cast<std::uint32_t>(body.variables.size());
@@ -25,14 +25,14 @@ public:
       auto const note = [&](NodeId use) {
         for_each_read(
             *plan.graph, use, [&](NodeId id) { return statement[id] != nowhere; },
-            [&](NodeId id) { return is_read(plan, in_compute, id); },
+            [&](NodeId id) { return is_read(plan, body.kind, id); },
             [&](NodeId id) {
               reads_.all.push_back(statement[id]);
               last_reader[statement[id]] = k;
             });
       };
       for (Literal const &literal : body.regions.literals(body.region[k])) note(literal.condition);
-      for_each_operand(plan, body, in_compute, body.variables[k], note);
+      for_each_operand(plan, body, body.variables[k], note);
       statement[body.variables[k]] = k;
       reads_.end_row();
     }
@@ -85,10 +85,9 @@ private:
 
 class Cutter {
 public:
-  Cutter(Schedule const &plan, FunctionBody const &body, bool in_compute, ChunkLimits const &limits)
+  Cutter(Plan const &plan, PlanFunction const &body, ChunkLimits const &limits)
       : plan_(plan),
         body_(body),
-        in_compute_(in_compute),
         limits_(limits),
         chunk_(body.regions.value_count(), no_slot),
         last_reader_(body.regions.value_count(), 0),
@@ -125,7 +124,7 @@ private:
       chunks.begin = {0, end};
       return;
     }
-    Cuts cuts(plan_, body_, in_compute_);
+    Cuts cuts(plan_, body_);
     std::size_t begin = 0;
     auto const cut_up_to = [&](std::size_t last) {
       std::vector<std::size_t> const begins = cuts.between(begin, last, limits_.most_statements);
@@ -144,14 +143,14 @@ private:
   void note_reads(std::size_t statement, std::size_t chunk) {
     NodeId const id = body_.variables[statement];
     for (Literal const &literal : body_.regions.literals(body_.region[statement])) note_read(literal.condition, chunk);
-    if (!body_.regions.is_gate(id) && is_read(plan_, in_compute_, id)) note_array_read(id, chunk);
-    for_each_operand(plan_, body_, in_compute_, id, [&](NodeId operand) { note_read(operand, chunk); });
+    if (!body_.regions.is_gate(id) && is_read(plan_, body_.kind, id)) note_array_read(id, chunk);
+    for_each_operand(plan_, body_, id, [&](NodeId operand) { note_read(operand, chunk); });
   }
 
   void note_read(NodeId use, std::size_t chunk) {
     auto const is_set = [&](NodeId id) { return chunk_[id] != no_slot; };
     for_each_read(
-        *plan_.graph, use, [&](NodeId id) { return is_set(id) || is_read(plan_, in_compute_, id); },
+        *plan_.graph, use, [&](NodeId id) { return is_set(id) || is_read(plan_, body_.kind, id); },
         [](NodeId) { return false; },
         [&](NodeId id) {
           if (is_set(id))
@@ -301,9 +300,8 @@ private:
     return chunks.has_parts() ? body_.parts[chunks.part[chunk]].stage : 0;
   }
 
-  Schedule const &plan_;
-  FunctionBody const &body_;
-  bool in_compute_;
+  Plan const &plan_;
+  PlanFunction const &body_;
   ChunkLimits const &limits_;
   std::vector<std::uint32_t> chunk_;             // per variable and gate: the chunk that sets it
   std::vector<std::uint32_t> last_reader_;       // per variable and gate: the last chunk that reads it
@@ -318,8 +316,8 @@ std::size_t Chunks::of_check(Check const &check) const {
   return static_cast<std::size_t>(after - begin.begin()) - 1;
 }
 
-Chunks cut(Schedule const &plan, FunctionBody const &body, bool in_compute, ChunkLimits const &limits) {
-  return Cutter(plan, body, in_compute, limits).cut();
+Chunks cut(Plan const &plan, PlanFunction const &body, ChunkLimits const &limits) {
+  return Cutter(plan, body, limits).cut();
 }
 
 } // namespace symreal

@@ -43,6 +43,6 @@ struct ChunkLimits {
 
 // Cuts the body. A chunk respects `limits`, for its statements and its stored results, and has statements of one part
 // only. Parts of one stage share no slot.
-Chunks cut(Schedule const &plan, FunctionBody const &body, bool in_compute, ChunkLimits const &limits);
+Chunks cut(Plan const &plan, PlanFunction const &body, ChunkLimits const &limits);
 
 } // namespace symreal

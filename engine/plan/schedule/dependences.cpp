@@ -2,13 +2,13 @@
 
 namespace symreal {
 
-std::vector<char> needed_operations(Schedule const &plan, bool in_compute, std::vector<NodeId> const &roots) {
+std::vector<char> needed_operations(Plan const &plan, FunctionKind kind, std::vector<NodeId> const &roots) {
   Graph const &graph = *plan.graph;
   std::vector<char> needed(graph.nodes.size(), 0);
   for (NodeId const root : roots) needed[root] = 1;
   for (std::size_t id = graph.nodes.size(); id-- > 0;) {
     if (!needed[id]) continue;
-    if (is_read(plan, in_compute, static_cast<NodeId>(id))) {
+    if (is_read(plan, kind, static_cast<NodeId>(id))) {
       needed[id] = 0;
       continue;
     }
@@ -18,7 +18,7 @@ std::vector<char> needed_operations(Schedule const &plan, bool in_compute, std::
   return needed;
 }
 
-bool waits_for_other_parts(Schedule const &plan, FunctionBody const &body, std::size_t part) {
+bool waits_for_other_parts(Plan const &plan, PlanFunction const &body, std::size_t part) {
   auto const begin_of = [&](std::size_t k) { return k == 0 ? 0 : body.parts[k - 1].end; };
   std::size_t stage_begin = begin_of(part);
   for (std::size_t k = part; k-- > 0 && body.parts[k].stage == body.parts[part].stage;) stage_begin = begin_of(k);

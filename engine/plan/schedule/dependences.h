@@ -10,8 +10,8 @@
 namespace symreal {
 
 // Whether the function reads the node from an array.
-inline bool is_read(Schedule const &plan, bool in_compute, NodeId id) {
-  return is_leaf(plan.graph->nodes[id].op) || (in_compute && plan.element(id));
+inline bool is_read(Plan const &plan, FunctionKind kind, NodeId id) {
+  return is_leaf(plan.graph->nodes[id].op) || (reads_elements(kind) && plan.element(id));
 }
 
 // Calls `visit` with the variables that a use of a node reads: the node itself, or those in its nested expression.
@@ -33,14 +33,14 @@ template <class IsVariable, class IsRead, class Visit> void for_each_read(Graph 
 }
 
 // Calls `visit` with the operands of the operation that sets a variable; a gate's operands are its conditions.
-template <class Visit> void for_each_operand(Schedule const &plan, FunctionBody const &body, bool in_compute,
-                                             NodeId variable, Visit const &visit) {
+template <class Visit>
+void for_each_operand(Plan const &plan, PlanFunction const &body, NodeId variable, Visit const &visit) {
   if (body.regions.is_gate(variable)) {
     for (RegionId alternative : body.regions.alternatives(variable))
       for (Literal const &literal : body.regions.literals(alternative)) visit(literal.condition);
     return;
   }
-  if (is_read(plan, in_compute, variable)) return;
+  if (is_read(plan, body.kind, variable)) return;
   Node const &node = plan.graph->nodes[variable];
   // The preceding call constrains the order only.
   for (std::size_t i = 0; i < (node.op == Op::call_in_order ? 2 : node.operand.size()); ++i)
@@ -49,15 +49,15 @@ template <class Visit> void for_each_operand(Schedule const &plan, FunctionBody 
 
 // Calls `visit` with the variables that must precede a statement of compute: its operands, the conditions of the blocks
 // around it, and the preceding call if calls are ordered.
-template <class IsVariable, class Visit> void for_each_before(Schedule const &plan, FunctionBody const &body,
+template <class IsVariable, class Visit> void for_each_before(Plan const &plan, PlanFunction const &body,
                                                               std::size_t statement, IsVariable const &is_variable,
                                                               Visit const &visit) {
   NodeId const id = body.variables[statement];
   auto const read = [&](NodeId use) {
-    for_each_read(*plan.graph, use, is_variable, [&](NodeId other) { return is_read(plan, true, other); }, visit);
+    for_each_read(*plan.graph, use, is_variable, [&](NodeId other) { return is_read(plan, body.kind, other); }, visit);
   };
   for (Literal const &literal : body.regions.literals(body.region[statement])) read(literal.condition);
-  for_each_operand(plan, body, true, id, read);
+  for_each_operand(plan, body, id, read);
   if (body.regions.is_gate(id)) return;
   Node const &node = plan.graph->nodes[id];
   if (node.op == Op::call_in_order && node.operand[2] != no_node && is_variable(node.operand[2]))
@@ -65,19 +65,19 @@ template <class IsVariable, class Visit> void for_each_before(Schedule const &pl
 }
 
 // Per node: whether it is an operation that the function computes for `roots`.
-std::vector<char> needed_operations(Schedule const &plan, bool in_compute, std::vector<NodeId> const &roots);
+std::vector<char> needed_operations(Plan const &plan, FunctionKind kind, std::vector<NodeId> const &roots);
 
 // Whether a part reads a value that an earlier part of its stage computes. To find all conflicts, ask for every part.
-bool waits_for_other_parts(Schedule const &plan, FunctionBody const &body, std::size_t part);
+bool waits_for_other_parts(Plan const &plan, PlanFunction const &body, std::size_t part);
 
 // Whether the body is straight-line code: without gates and blocks.
-inline bool is_straight(Graph const &graph, FunctionBody const &body) {
+inline bool is_straight(Graph const &graph, PlanFunction const &body) {
   return body.regions.value_count() == graph.nodes.size() &&
          std::ranges::all_of(body.region, [](RegionId region) { return region == everywhere; });
 }
 
 // Whether a statement calls an external function, and thus sets an array.
-inline bool is_call_node(Schedule const &plan, FunctionBody const &body, NodeId variable) {
+inline bool is_call_node(Plan const &plan, PlanFunction const &body, NodeId variable) {
   return !body.regions.is_gate(variable) && is_call(plan.graph->nodes[variable].op);
 }
 

@@ -14,7 +14,7 @@ namespace {
 
 class Ordering {
 public:
-  Ordering(Graph const &graph, std::vector<char> const &is_read, Placement &placement, FunctionBody &body)
+  Ordering(Graph const &graph, std::vector<char> const &is_read, Placement &placement, PlanFunction &body)
       : graph_(graph),
         is_read_(is_read),
         placement_(placement),
@@ -104,7 +104,7 @@ private:
   Graph const &graph_;
   std::vector<char> const &is_read_;
   Placement &placement_;
-  FunctionBody &body_;
+  PlanFunction &body_;
   std::vector<State> state_;
   std::vector<NodeId> stack_;
   static constexpr int most_cycles = 50;
@@ -113,7 +113,7 @@ private:
 
 class Delay {
 public:
-  Delay(Graph const &graph, std::vector<char> const &is_read, FunctionBody &body)
+  Delay(Graph const &graph, std::vector<char> const &is_read, PlanFunction &body)
       : graph_(graph),
         is_read_(is_read),
         body_(body),
@@ -173,7 +173,7 @@ private:
 
   Graph const &graph_;
   std::vector<char> const &is_read_;
-  FunctionBody &body_;
+  PlanFunction &body_;
   std::vector<std::size_t> statement_; // per node
   std::vector<char> stays_;
   std::vector<std::size_t> first_place_; // per statement: place of the first reader
@@ -198,7 +198,7 @@ StatementRows transposed(StatementRows const &rows) {
 
 class ListScheduling {
 public:
-  ListScheduling(Graph const &graph, std::vector<char> const &is_read, FunctionBody &body)
+  ListScheduling(Graph const &graph, std::vector<char> const &is_read, PlanFunction &body)
       : graph_(graph),
         is_read_(is_read),
         body_(body),
@@ -343,7 +343,7 @@ private:
 
   Graph const &graph_;
   std::vector<char> const &is_read_;
-  FunctionBody &body_;
+  PlanFunction &body_;
   std::size_t count_;
   std::vector<Statement> statement_;     // per node: the statement that sets its variable
   StatementRows reads_, readers_;        // per statement
@@ -361,7 +361,7 @@ private:
 
 } // namespace
 
-void order(Graph const &graph, std::vector<char> const &is_read, Placement &placement, FunctionBody &body) {
+void order(Graph const &graph, std::vector<char> const &is_read, Placement &placement, PlanFunction &body) {
   if (placement.conditional())
     Ordering(graph, is_read, placement, body).run();
   else
@@ -369,11 +369,11 @@ void order(Graph const &graph, std::vector<char> const &is_read, Placement &plac
 }
 
 void delay(Graph const &graph, std::vector<char> const &is_read, std::vector<NodeId> const &conditions,
-           FunctionBody &body) {
+           PlanFunction &body) {
   if (is_straight(graph, body)) Delay(graph, is_read, body).run(conditions);
 }
 
-void schedule_for_registers(Graph const &graph, std::vector<char> const &is_read, FunctionBody &body) {
+void schedule_for_registers(Graph const &graph, std::vector<char> const &is_read, PlanFunction &body) {
   if (!is_straight(graph, body) || !graph.externals.empty() || body.variables.size() > longest) return;
   ListScheduling scheduling(graph, is_read, body);
   std::size_t const cost = scheduling.cost(body.variables);

@@ -1,20 +1,20 @@
 // Statement order of a function body: operands first, values computed late, and few of them live at a time.
 #pragma once
 
-#include "engine/plan/schedule/schedule.h"
+#include "engine/plan/schedule/regions.h"
 
 namespace symreal {
 
 // Sorts the variables, given in node order, so that each follows its operands and the conditions of its region, and
 // adds the gates. Without regions the node order stays. A gate of alternatives is released if its alternatives depend
 // on a node that it guards. `is_read`: nodes that are read from arrays. Iterative; linear time.
-void order(Graph const &graph, std::vector<char> const &is_read, Placement &placement, FunctionBody &body);
+void order(Graph const &graph, std::vector<char> const &is_read, Placement &placement, PlanFunction &body);
 
 // Sinks statements of a long function: moves a statement down to its first reader if the operands live that long
 // anyway: then fewer values are live at any point, and fewer cross chunks. Statements in blocks and those that
 // conditions read stay. `is_read`: nodes that are read from arrays. Linear time.
 void delay(Graph const &graph, std::vector<char> const &is_read, std::vector<NodeId> const &conditions,
-           FunctionBody &body);
+           PlanFunction &body);
 
 // List scheduling with two priorities, after Goodman and Hsu, "Code scheduling and register allocation in large basic
 // blocks" (1988): while registers are free, the statement on the longest path to a result comes next; else the one that
@@ -25,6 +25,6 @@ void delay(Graph const &graph, std::vector<char> const &is_read, std::vector<Nod
 // longer one, if at least a tenth fewer live from part to part. A body keeps its source order if its values fit into
 // registers, or if it has blocks, calls of external functions, or more than 200 000 statements. `is_read`: nodes that
 // are read from arrays. Takes O(n log n) time.
-void schedule_for_registers(Graph const &graph, std::vector<char> const &is_read, FunctionBody &body);
+void schedule_for_registers(Graph const &graph, std::vector<char> const &is_read, PlanFunction &body);
 
 } // namespace symreal

@@ -10,23 +10,13 @@
 //   - alternatives, for a node with uses in different regions: 1 where one of these regions holds
 #pragma once
 
-#include "engine/graph/graph.h"
+#include "engine/plan/plan.h"
 
 #include <map>
 #include <unordered_map>
 #include <vector>
 
 namespace symreal {
-
-struct Literal {
-  NodeId condition; // a node, or a gate: node count + its number
-  bool holds;
-
-  bool operator==(Literal const &) const = default;
-};
-
-using RegionId = std::uint32_t;
-inline constexpr RegionId everywhere = 0; // the empty set
 
 class Regions {
 public:
@@ -100,18 +90,6 @@ struct Placement {
 // floating-point exception (flag QUIET) may be hoisted out of their region.
 Placement place(Graph const &graph, std::vector<NodeId> const &roots, std::vector<char> const &is_needed,
                 std::vector<char> const &is_read);
-
-// Regions of a finished function body, as the emitters print them.
-struct RegionTable {
-  NodeId node_count = 0;
-  std::vector<std::vector<Literal>> regions = {{}}; // by id, the outermost literal first; empty for `everywhere`
-  std::vector<std::vector<RegionId>> gates = {};    // by number: its alternatives; empty: 1 where it is computed
-
-  std::vector<Literal> const &literals(RegionId region) const { return regions[region]; }
-  bool is_gate(NodeId condition) const { return condition >= node_count; }
-  std::vector<RegionId> const &alternatives(NodeId gate) const { return gates[gate - node_count]; }
-  std::size_t value_count() const { return node_count + gates.size(); } // number of nodes and gates
-};
 
 // Table of the regions of these statements and of the alternatives of gates; renumbers the ids in `region`.
 RegionTable tabulate(Regions const &regions, std::size_t node_count, std::vector<RegionId> &region);

@@ -1,6 +1,7 @@
 #include "engine/plan/schedule/schedule.h"
 
 #include "engine/graph/graph.h"
+#include "engine/plan/schedule/angles.h"
 #include "engine/plan/schedule/dependences.h"
 #include "engine/plan/schedule/order.h"
 
@@ -43,9 +44,11 @@ Reach reach(Graph const &graph, std::vector<NodeId> const &roots, std::vector<st
 
 class Layout {
 public:
-  Layout(Graph const &graph, std::vector<NodeId> const &results, std::vector<NodeId> const &conditions, NodeId effect,
-         std::vector<std::uint32_t> const *constant_slot, Nesting nesting, Arms arms)
-      : graph_(graph),
+  Layout(FunctionKind kind, Graph const &graph, std::vector<NodeId> const &results,
+         std::vector<NodeId> const &conditions, NodeId effect, std::vector<std::uint32_t> const *constant_slot,
+         Nesting nesting, Arms arms)
+      : kind_(kind),
+        graph_(graph),
         nesting_(nesting),
         arms_(arms),
         results_(results),
@@ -67,7 +70,7 @@ public:
         has_variable_[node.operand[1]] = 1;
   }
 
-  FunctionBody run() {
+  PlanFunction run() {
     Placement placement = arms_ == Arms::in_blocks ? place(graph_, roots(), needs_.needed, is_read_)
                                                    : Placement{Regions(graph_.nodes.size()), {}};
     std::vector<NodeId> variables = choose_variables();
@@ -75,7 +78,7 @@ public:
       give_variables_to_conditions(placement, variables);
       variables = choose_variables();
     }
-    FunctionBody body{std::move(variables), {}, {}, {}, results_, wanted_returns()};
+    PlanFunction body{kind_, std::move(variables), {}, {}, {}, results_, wanted_returns()};
     order(graph_, is_read_, placement, body);
     body.regions = tabulate(placement.regions, graph_.nodes.size(), body.region);
     if (body.variables.size() > usual_part_length) delay(graph_, is_read_, conditions_, body);
@@ -162,7 +165,7 @@ private:
     }
   }
 
-  void place_checks(FunctionBody &body) const {
+  void place_checks(PlanFunction &body) const {
     std::vector<std::size_t> after(body.regions.value_count(), 0); // per variable: its statement, from 1
     for (std::size_t k = 0; k < body.variables.size(); ++k) after[body.variables[k]] = k + 1;
     std::size_t before = 0;
@@ -174,6 +177,7 @@ private:
     }
   }
 
+  FunctionKind kind_;
   Graph const &graph_;
   Nesting nesting_;
   Arms arms_;
@@ -185,23 +189,13 @@ private:
 
 } // namespace
 
-std::string_view name_of(Array array) {
-  switch (array) {
-  case Array::input: return "input";
-  case Array::constants: return "constants";
-  case Array::sine: return "sine";
-  case Array::cosine: return "cosine";
-  }
-  return {};
-}
-
 std::vector<std::uint32_t> constant_slots(Graph const &graph, std::vector<NodeId> const &stored) {
   std::vector<std::uint32_t> slots(graph.nodes.size(), no_slot);
   for (std::size_t slot = 0; slot < stored.size(); ++slot) slots[stored[slot]] = static_cast<std::uint32_t>(slot);
   return slots;
 }
 
-Schedule schedule(Graph const &graph, Nesting nesting, Arms arms) {
+Plan schedule(Graph const &graph, Nesting nesting, Arms arms) {
   std::vector<NodeId> stored = graph.precomputed, conditions, roots = graph.results;
   std::vector<std::uint32_t> constant_slot = constant_slots(graph, stored);
   for (Guard const &guard : graph.guards) conditions.push_back(guard.condition);
@@ -214,37 +208,47 @@ Schedule schedule(Graph const &graph, Nesting nesting, Arms arms) {
       constant_slot[id] = static_cast<std::uint32_t>(stored.size());
       stored.push_back(static_cast<NodeId>(id));
     }
-  FunctionBody preprocess = Layout(graph, stored, {}, no_node, nullptr, nesting, arms).run();
-  FunctionBody compute =
-      Layout(graph, graph.results, conditions, graph.last_effect, &constant_slot, nesting, arms).run();
-  return {&graph, std::move(preprocess), std::move(compute), std::move(constant_slot), stored.size(), nesting};
+  using enum FunctionKind;
+  Plan plan{&graph, {}, std::move(constant_slot), stored.size(), nesting};
+  plan.functions.push_back(Layout(preprocess, graph, stored, {}, no_node, nullptr, nesting, arms).run());
+  plan.functions.push_back(
+      Layout(compute, graph, graph.results, conditions, graph.last_effect, &plan.constant_slot, nesting, arms).run());
+  return plan;
 }
 
-FunctionBody lay_out(Graph const &graph, std::vector<NodeId> const &results,
-                     std::vector<std::uint32_t> const &constant_slot, Nesting nesting) {
-  return Layout(graph, results, {}, no_node, &constant_slot, nesting, Arms::computed).run();
+PlanFunction lay_out(FunctionKind kind, std::vector<NodeId> const &results, Plan const &plan) {
+  return Layout(kind, *plan.graph, results, {}, no_node, &plan.constant_slot, plan.nesting, Arms::computed).run();
 }
 
-Schedule shared_out(Schedule const &plan, std::vector<Share> const &shares, unsigned threads) {
-  FunctionBody const &body = plan.compute;
+Plan shared_out(Plan const &plan, std::vector<Share> const &shares, unsigned threads) {
+  PlanFunction const &body = plan.compute();
   std::vector<std::size_t> order(body.variables.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   auto const key = [&](std::size_t k) { return std::pair(shares[k].stage, shares[k].thread); };
   std::ranges::stable_sort(order, {}, key);
-  Schedule result = plan;
+  Plan result = plan;
   result.threads = threads;
+  PlanFunction &sorted = result.compute();
   for (std::size_t at = 0; at < order.size(); ++at) {
-    result.compute.variables[at] = body.variables[order[at]];
-    result.compute.region[at] = body.region[order[at]];
-    std::vector<ThreadPart> &parts = result.compute.parts;
+    sorted.variables[at] = body.variables[order[at]];
+    sorted.region[at] = body.region[order[at]];
+    std::vector<ThreadPart> &parts = sorted.parts;
     if (at == 0 || key(order[at - 1]) != key(order[at])) {
       bool const same_stage = at != 0 && shares[order[at - 1]].stage == shares[order[at]].stage;
       parts.push_back({parts.empty() ? 0 : parts.back().stage + (same_stage ? 0U : 1U), at});
     }
     parts.back().end = at + 1;
   }
-  for (Check &check : result.compute.checks) check.before = order.size();
+  for (Check &check : sorted.checks) check.before = order.size();
   return result;
+}
+
+Plan in_form(Plan plan, PlanForm const &form) {
+  bool const has_angles = plan.angles.size() != 0;
+  bool const needs_blocks = has_angles || plan.has_loops() || plan.vectors() || plan.threads > 1;
+  if (form.has_angles && !has_angles) return with_angles(std::move(plan));
+  if (form.has_blocks || needs_blocks) return plan;
+  return schedule(*plan.graph, Nesting::bounded, Arms::computed);
 }
 
 } // namespace symreal

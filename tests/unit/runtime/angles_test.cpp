@@ -19,44 +19,44 @@ Graph sines_of_sums(unsigned count) {
   return make.finish({sum, make.input(1)});
 }
 
-bool computes(FunctionBody const &body, NodeId id) {
+bool computes(PlanFunction const &body, NodeId id) {
   return std::ranges::find(body.variables, id) != body.variables.end();
 }
 
 TEST(Angles, ThatSumsMakeOfInputsComeFirst) {
   Graph const graph = sines_of_sums(6);
-  Schedule const plan = with_angles(schedule(graph));
+  Plan const plan = with_angles(schedule(graph));
   EXPECT_EQ(plan.angles.inputs, std::vector<std::uint32_t>{0});
-  ASSERT_EQ(plan.angles.computed.results.size(), 6);
+  ASSERT_EQ(plan.angles.computed, 6);
   EXPECT_EQ(describe(plan.angles), "compute: sine and cosine of 1 input and 6 computed angles side by side");
   NodeId const product = 2;
   ASSERT_EQ(graph.nodes[product].op, Op::mul);
-  EXPECT_TRUE(computes(plan.angles.computed, product));
-  EXPECT_FALSE(computes(plan.compute, product));
+  EXPECT_TRUE(computes(*plan.find(FunctionKind::angles), product));
+  EXPECT_FALSE(computes(plan.compute(), product));
   for (NodeId id = 0; id < graph.nodes.size(); ++id) {
     if (graph.nodes[id].op != Op::sin) continue;
     ASSERT_TRUE(plan.element(id).has_value());
     EXPECT_EQ(plan.element(id)->array, Array::sine);
   }
   // An input that is a result is read before anything is stored.
-  EXPECT_TRUE(computes(plan.compute, graph.results[1]));
+  EXPECT_TRUE(computes(plan.compute(), graph.results[1]));
 }
 
 TEST(Angles, ThatAreFewStayWhereTheyWere) {
   Graph const graph = sines_of_sums(3);
-  Schedule const plan = with_angles(schedule(graph));
-  EXPECT_TRUE(plan.angles.computed.results.empty());
+  Plan const plan = with_angles(schedule(graph));
+  EXPECT_TRUE((plan.angles.computed == 0));
   EXPECT_EQ(plan.angles.size(), 1);
 }
 
 // Each thread has its own statements.
 TEST(Angles, ThatAreComputedStayWithTheirThreads) {
   Graph const graph = sines_of_sums(6);
-  Schedule plan = schedule(graph);
-  plan.compute.parts = {{0, 2}, {0, plan.compute.variables.size()}};
+  Plan plan = schedule(graph);
+  plan.compute().parts = {{0, 2}, {0, plan.compute().variables.size()}};
   plan = with_angles(std::move(plan));
-  EXPECT_TRUE(plan.angles.computed.results.empty());
-  EXPECT_EQ(plan.compute.parts.back().end, plan.compute.variables.size());
+  EXPECT_TRUE((plan.angles.computed == 0));
+  EXPECT_EQ(plan.compute().parts.back().end, plan.compute().variables.size());
 }
 
 // Every angle is a result, too, and would be computed twice.
@@ -82,8 +82,8 @@ TEST(Angles, ThatOtherOperationsMakeStayWhereTheyWere) {
     results.push_back(make(Op::cos, make(Op::div, make.number(k), make.input(0))));
   }
   Graph const graph = make.finish(results);
-  Schedule const plan = with_angles(schedule(graph));
-  EXPECT_EQ(plan.angles.computed.results.size(), 6);
+  Plan const plan = with_angles(schedule(graph));
+  EXPECT_EQ(plan.angles.computed, 6);
 }
 
 // What stands in an arm of a select is computed there.

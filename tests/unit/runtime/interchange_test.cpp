@@ -3,6 +3,7 @@
 #include "engine/plan/reroll/interchange.h"
 #include "engine/plan/reroll/memory.h"
 #include "engine/plan/reroll/reroll.h"
+#include "engine/plan/schedule/schedule.h"
 #include "graph_builder.h"
 #include "loop_run.h"
 
@@ -48,13 +49,13 @@ Graph turned_vectors(std::uint32_t flips, bool waits = false, bool looks_back = 
 
 LoopFunction compute_of(Graph const &graph, FloatingPoint mode = FloatingPoint::strict) {
   Rerolled const loops = rerolled(schedule(graph), mode);
-  EXPECT_TRUE(loops.compute) << loops.why_not;
-  return loops.compute.value_or(LoopFunction());
+  EXPECT_TRUE(loops.functions.contains(FunctionKind::compute)) << loops.why_not;
+  return test::loops_of_compute(loops).value_or(LoopFunction());
 }
 
-bool any_leaf(LoopFunction const &function, Leaf::Kind kind) {
+template <class Value> bool any_leaf(LoopFunction const &function, Value Leaf::*field, Value value) {
   return std::ranges::any_of(function.steps, [&](LoopStep const &step) {
-    return step.count > 1 && std::ranges::any_of(step.leaves, [&](Leaf const &leaf) { return leaf.kind == kind; });
+    return step.count > 1 && std::ranges::any_of(step.leaves, [&](Leaf const &leaf) { return leaf.*field == value; });
   });
 }
 
@@ -62,8 +63,8 @@ TEST(Interchange, StagesOfAllChainsAreRows) {
   LoopFunction const function = compute_of(turned_vectors(0));
   EXPECT_LE(function.loops, 3);
   EXPECT_GT(function.in_loops, function.operations * 9 / 10);
-  EXPECT_FALSE(any_leaf(function, Leaf::Kind::carried));
-  EXPECT_FALSE(any_leaf(function, Leaf::Kind::values));
+  EXPECT_FALSE(any_leaf(function, &Leaf::is_carried, true));
+  EXPECT_FALSE(any_leaf(function, &Leaf::array, Array::values));
   auto const rows = std::ranges::find_if(function.steps, [](LoopStep const &step) { return step.nest.has_value(); });
   ASSERT_NE(rows, function.steps.end());
   EXPECT_EQ(rows->nest->growth, 1);
@@ -74,8 +75,8 @@ TEST(Interchange, WhereSomebodyLooksBackEachStageIsALoop) {
   LoopFunction const function = compute_of(turned_vectors(0, false, true));
   EXPECT_GE(function.loops, 30);
   EXPECT_GT(function.in_loops, function.operations * 9 / 10);
-  EXPECT_FALSE(any_leaf(function, Leaf::Kind::carried));
-  EXPECT_FALSE(any_leaf(function, Leaf::Kind::values));
+  EXPECT_FALSE(any_leaf(function, &Leaf::is_carried, true));
+  EXPECT_FALSE(any_leaf(function, &Leaf::array, Array::values));
   // Where compilers may carry out iterations at the same time, neighbours stand beside each other.
   auto const is_one = [](auto const &element) { return element.access.step == 1; };
   auto const stores_beside = [&](LoopStep const &step) {
@@ -92,15 +93,15 @@ TEST(Interchange, StagesLeaveTheirPlaces) {
 
 TEST(Interchange, AChainThatWaitsForAnotherStays) {
   LoopFunction const function = compute_of(turned_vectors(0, true));
-  EXPECT_TRUE(any_leaf(function, Leaf::Kind::carried));
+  EXPECT_TRUE(any_leaf(function, &Leaf::is_carried, true));
 }
 
 // What a chain begins with is stored as its negative, once, and no iteration needs a factor.
 TEST(Interchange, SignsOfChainsAreThoseOfTheirBeginnings) {
   Graph const graph = turned_vectors(3);
   LoopFunction const before = compute_of(graph), after = compute_of(graph, FloatingPoint::finite);
-  EXPECT_TRUE(any_leaf(before, Leaf::Kind::values));
-  EXPECT_FALSE(any_leaf(after, Leaf::Kind::values));
+  EXPECT_TRUE(any_leaf(before, &Leaf::array, Array::values));
+  EXPECT_FALSE(any_leaf(after, &Leaf::array, Array::values));
   std::vector<double> inputs;
   for (std::size_t k = 0; k < graph.input_count(); ++k) inputs.push_back(1.5 + std::sin(static_cast<double>(k * k)));
   std::vector<double> const values = evaluate(graph, inputs, {}),

@@ -1,6 +1,7 @@
 // What --vector finds in small graphs, and that its proof sees a fault. The proof runs in every laned().
 #include "engine/plan/lanes/check.h"
 #include "engine/plan/lanes/lanes.h"
+#include "engine/plan/schedule/schedule.h"
 #include "graph_builder.h"
 
 #include <algorithm>
@@ -139,7 +140,7 @@ TEST(Lanes, TheProofSeesAFault) {
   std::size_t faults = 0;
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
     Graph const graph = random_arrays(seed);
-    Schedule const plan = schedule(graph);
+    Plan const plan = schedule(graph);
     std::size_t const width = std::array{2, 4, 8}[seed % 3];
     LaneFunction const function = laned(plan, width).compute.value_or(LaneFunction());
     lanes::ScalarFunction const of(plan, width);

@@ -1,6 +1,7 @@
 // Who stores the results of a function of loops: the loops themselves, copies at the end, or a mirror.
 #include "engine/graph/evaluate.h"
 #include "engine/plan/reroll/reroll.h"
+#include "engine/plan/schedule/schedule.h"
 #include "graph_builder.h"
 #include "loop_run.h"
 
@@ -43,16 +44,17 @@ struct Squares {
 };
 
 LoopFunction compute_of(Graph const &graph) {
-  Schedule const plan = schedule(graph);
+  Plan const plan = schedule(graph);
   Rerolled const loops = rerolled(plan, FloatingPoint::strict);
-  EXPECT_TRUE(loops.compute) << loops.why_not;
-  if (!loops.compute) return {};
+  std::optional<LoopFunction> const found = test::loops_of_compute(loops);
+  EXPECT_TRUE(found) << loops.why_not;
+  if (!found) return {};
   std::vector<double> inputs;
   for (std::uint32_t k = 0; k < rows; ++k) inputs.push_back(0.01 * k);
   std::vector<double> const values = evaluate(graph, inputs, {});
-  std::vector<double> const results = test::run(*loops.compute, {}, inputs, graph.results.size());
+  std::vector<double> const results = test::run(*found, {}, inputs, graph.results.size());
   for (std::size_t k = 0; k < results.size(); ++k) EXPECT_EQ(results[k], values[graph.results[k]]) << k;
-  return *loops.compute;
+  return *found;
 }
 
 bool stores_results(LoopStep const &step) { return std::ranges::any_of(step.stores, &Store::is_result); }

@@ -1,4 +1,4 @@
-#include "engine/plan/reroll/loop_program.h"
+#include "engine/plan/loop_function.h"
 
 #include <gtest/gtest.h>
 
@@ -47,7 +47,7 @@ TEST(Nest, AnIterationIsOfATurnOfEachLoop) {
 
 TEST(Nest, AValueMayStayTheSameInATurn) {
   Nest const nest{3, 2, 1};
-  Leaf leaf{Leaf::Kind::values, {}, {5, 6}, true};
+  Leaf leaf{Array::values, {}, {5, 6}, true};
   std::vector<double> values;
   for (std::uint32_t k = 0; k < 9; ++k) values.push_back(value_at(leaf, k, nest));
   EXPECT_EQ(values, (std::vector<double>{5, 5, 6, 6, 6, 5, 5, 5, 5}));

@@ -1,7 +1,7 @@
 // Which loops share a table, and that every iteration finds its numbers there.
 #include "engine/emit/print/loop_indices.h"
 #include "engine/emit/print/number_tables.h"
-#include "engine/plan/reroll/loop_program.h"
+#include "engine/plan/loop_function.h"
 
 #include <gtest/gtest.h>
 #include <random>
@@ -16,8 +16,8 @@ using Column = std::vector<double>;
 LoopStep step_of(std::uint32_t count, std::vector<Column> const &columns) {
   LoopStep step{.body = {}, .count = count};
   for (Column const &column : columns) {
-    step.leaves.push_back({Leaf::Kind::memory, {0, 1}});
-    step.leaves.push_back({Leaf::Kind::values, {}, column});
+    step.leaves.push_back({Array::memory, {0, 1}});
+    step.leaves.push_back({Array::values, {}, column});
   }
   return step;
 }
@@ -49,7 +49,7 @@ std::size_t tables_of(std::vector<LoopStep> const &steps) {
   NumberTables const numbers(steps);
   for (std::size_t s = 0; s < steps.size(); ++s)
     for (std::size_t leaf = 0; leaf < steps[s].leaves.size(); ++leaf)
-      for (std::uint32_t k = 0; k < steps[s].count && steps[s].leaves[leaf].kind == Leaf::Kind::values; ++k)
+      for (std::uint32_t k = 0; k < steps[s].count && steps[s].leaves[leaf].array == Array::values; ++k)
         EXPECT_EQ(number(numbers, s, leaf, k), value_at(steps[s].leaves[leaf], k, {}));
   return numbers.tables().size();
 }

@@ -3,6 +3,7 @@
 #include "engine/plan/reroll/bodies.h"
 #include "engine/plan/reroll/recurrences.h"
 #include "engine/plan/reroll/reroll.h"
+#include "engine/plan/schedule/schedule.h"
 #include "graph_builder.h"
 #include "loop_run.h"
 
@@ -22,8 +23,8 @@ struct Loops {
   LoopFunction plain, shortened;
 
   explicit Loops(Graph const &graph) {
-    Schedule const plan = schedule(graph);
-    std::optional<LoopFunction> const found = rerolled(plan, FloatingPoint::fast).compute;
+    Plan const plan = schedule(graph);
+    std::optional<LoopFunction> const found = test::loops_of_compute(rerolled(plan, FloatingPoint::fast));
     EXPECT_TRUE(found);
     plain = shortened = found.value_or(LoopFunction());
     for (LoopStep &step : shortened.steps) step = with_short_recurrences(step);

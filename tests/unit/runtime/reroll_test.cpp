@@ -1,7 +1,9 @@
 // What --reroll finds in small graphs, and that its proof sees a fault. The proof runs in every rerolled().
 #include "engine/plan/reroll/check.h"
 #include "engine/plan/reroll/reroll.h"
+#include "engine/plan/schedule/schedule.h"
 #include "graph_builder.h"
+#include "loop_run.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>
@@ -16,8 +18,8 @@ using reroll::LoopStep;
 
 LoopFunction compute_of(Graph const &graph) {
   Rerolled const loops = rerolled(schedule(graph), FloatingPoint::strict);
-  EXPECT_TRUE(loops.compute) << loops.why_not;
-  return loops.compute.value_or(LoopFunction());
+  EXPECT_TRUE(loops.functions.contains(FunctionKind::compute)) << loops.why_not;
+  return test::loops_of_compute(loops).value_or(LoopFunction());
 }
 
 LoopStep const &longest(LoopFunction const &function) {
@@ -25,9 +27,10 @@ LoopStep const &longest(LoopFunction const &function) {
                                    [](LoopStep const &step) { return step.count * step.body.nodes.size(); });
 }
 
-std::vector<Leaf> leaves_of(LoopStep const &step, Leaf::Kind kind) {
+std::vector<Leaf> leaves_of(LoopStep const &step, Array array, bool is_carried = false) {
   std::vector<Leaf> found;
-  std::ranges::copy_if(step.leaves, std::back_inserter(found), [&](Leaf const &leaf) { return leaf.kind == kind; });
+  std::ranges::copy_if(step.leaves, std::back_inserter(found),
+                       [&](Leaf const &leaf) { return leaf.array == array && leaf.is_carried == is_carried; });
   return found;
 }
 
@@ -46,11 +49,11 @@ TEST(Reroll, AFilterCarriesItsState) {
   EXPECT_EQ(function.loops, 1);
   LoopStep const &loop = longest(function);
   EXPECT_GE(loop.count, 95);
-  EXPECT_EQ(leaves_of(loop, Leaf::Kind::carried).size(), 1);
-  std::vector<Leaf> const given = leaves_of(loop, Leaf::Kind::given);
+  EXPECT_EQ(leaves_of(loop, Array::memory, true).size(), 1);
+  std::vector<Leaf> const given = leaves_of(loop, Array::input);
   ASSERT_EQ(given.size(), 1);
   EXPECT_EQ(given[0].access.step, 1);
-  EXPECT_TRUE(leaves_of(loop, Leaf::Kind::values).empty());
+  EXPECT_TRUE(leaves_of(loop, Array::values).empty());
 }
 
 // y[k] = x[k] + 0.5 y[k - 1] - 0.25 y[k - 2]
@@ -62,8 +65,8 @@ TEST(Reroll, AFilterOfSecondOrderReadsNoStateFromMemory) {
     y.push_back(make(Op::sub, sum, make(Op::mul, y[k - 2], make.number(0.25))));
   }
   LoopStep const loop = longest(compute_of(make.finish(y)));
-  EXPECT_EQ(leaves_of(loop, Leaf::Kind::carried).size(), 2);
-  EXPECT_TRUE(leaves_of(loop, Leaf::Kind::memory).empty());
+  EXPECT_EQ(leaves_of(loop, Array::memory, true).size(), 2);
+  EXPECT_TRUE(leaves_of(loop, Array::memory).empty());
   ASSERT_EQ(loop.stores.size(), 1);
   EXPECT_EQ(loop.stores[0].access.step, 1);
 }
@@ -129,7 +132,7 @@ TEST(Reroll, CoefficientsAreATable) {
   for (int k = 0; k < 60; ++k) sum = make(Op::add, make(Op::mul, sum, x), make.number(1 + k * k));
   LoopStep const loop = longest(compute_of(make.finish({sum})));
   EXPECT_GE(loop.count, 55);
-  std::vector<Leaf> const values = leaves_of(loop, Leaf::Kind::values);
+  std::vector<Leaf> const values = leaves_of(loop, Array::values);
   ASSERT_EQ(values.size(), 1);
   EXPECT_EQ(values[0].values.size(), loop.count);
 }
@@ -138,7 +141,7 @@ TEST(Reroll, ATableIsAsLongAsItsPeriod) {
   Builder make;
   NodeId sum = make.input(0);
   for (int k = 0; k < 60; ++k) sum = make(Op::add, make(Op::mul, sum, make.input(1)), make.number(2 + k % 5));
-  std::vector<Leaf> const values = leaves_of(longest(compute_of(make.finish({sum}))), Leaf::Kind::values);
+  std::vector<Leaf> const values = leaves_of(longest(compute_of(make.finish({sum}))), Array::values);
   ASSERT_EQ(values.size(), 1);
   EXPECT_EQ(values[0].values.size(), 5);
 }
@@ -149,8 +152,8 @@ TEST(Reroll, ASignGoesIntoAConstant) {
   for (std::uint32_t k = 0; k < 60; ++k)
     sum = make(k * k % 7 < 3 ? Op::add : Op::sub, sum, make(Op::mul, make.input(k), make.number(2 + k)));
   LoopStep const loop = longest(compute_of(make.finish({sum})));
-  ASSERT_EQ(leaves_of(loop, Leaf::Kind::values).size(), 1);
-  std::vector<double> const values = leaves_of(loop, Leaf::Kind::values)[0].values;
+  ASSERT_EQ(leaves_of(loop, Array::values).size(), 1);
+  std::vector<double> const values = leaves_of(loop, Array::values)[0].values;
   EXPECT_TRUE(std::ranges::any_of(values, [](double value) { return value < 0; }));
 }
 
@@ -159,7 +162,7 @@ TEST(Reroll, ASignThatHasNoConstantIsAFactor) {
   NodeId sum = make.input(0);
   for (std::uint32_t k = 0; k < 60; ++k)
     sum = make(k * k % 7 < 3 ? Op::add : Op::sub, make(Op::mul, sum, make.number(0.5)), make.input(k));
-  std::vector<Leaf> const values = leaves_of(longest(compute_of(make.finish({sum}))), Leaf::Kind::values);
+  std::vector<Leaf> const values = leaves_of(longest(compute_of(make.finish({sum}))), Array::values);
   ASSERT_EQ(values.size(), 1);
   for (double value : values[0].values) EXPECT_EQ(std::abs(value), 1);
 }
@@ -179,7 +182,7 @@ TEST(Reroll, ARungeKuttaStepIsABody) {
   LoopFunction const function = compute_of(make.finish({y}));
   EXPECT_EQ(function.loops, 1);
   EXPECT_GE(longest(function).count, 47);
-  EXPECT_EQ(leaves_of(longest(function), Leaf::Kind::carried).size(), 1);
+  EXPECT_EQ(leaves_of(longest(function), Array::memory, true).size(), 1);
 }
 
 // As the two sweeps over a chain: what the first stores, the second reads in reverse.
@@ -203,7 +206,7 @@ TEST(Reroll, ASecondSweepReadsBackwards) {
   for (LoopStep const &step : function.steps)
     for (Leaf const &leaf : step.leaves) {
       EXPECT_FALSE(leaf.access.is_listed());
-      backwards += leaf.kind == Leaf::Kind::memory && leaf.access.step < 0;
+      backwards += leaf.array == Array::memory && leaf.access.step < 0;
     }
   EXPECT_EQ(backwards, 1);
 }
@@ -217,7 +220,7 @@ TEST(Reroll, IterationsFurtherBackAreRecords) {
     y.push_back(make(Op::add, make(Op::mul, y[k - 1], make.input(k)), make(Op::mul, y[k - 5], make.number(0.5))));
   LoopStep const loop = longest(compute_of(make.finish({y.back()})));
   EXPECT_GE(loop.count, 50);
-  EXPECT_EQ(leaves_of(loop, Leaf::Kind::memory).size(), 1);
+  EXPECT_EQ(leaves_of(loop, Array::memory).size(), 1);
 }
 
 TEST(Reroll, AnIrregularOrderIsAList) {
@@ -264,8 +267,8 @@ TEST(Reroll, WithoutRepeatsThereAreNoLoops) {
 // Every number of every step that changes what is computed changes the proof.
 TEST(Reroll, TheProofSeesAFault) {
   Graph const graph = filter(100);
-  Schedule const plan = schedule(graph);
-  reroll::Sequence const all = reroll::sequence(plan, true, graph.results);
+  Plan const plan = schedule(graph);
+  reroll::Sequence const all = reroll::sequence(plan, FunctionKind::compute, graph.results);
   LoopFunction const good = compute_of(graph);
   EXPECT_EQ(reroll::find_difference(all, good, graph.results, {}), "");
   auto const is_seen = [&](auto const &change) {
@@ -279,7 +282,7 @@ TEST(Reroll, TheProofSeesAFault) {
   EXPECT_TRUE(is_seen([&](LoopFunction &bad) { std::swap(bad.steps[loop], bad.steps.back()); }));
   for (std::size_t k = 0; k < good.steps[loop].leaves.size(); ++k) {
     EXPECT_TRUE(is_seen([&](LoopFunction &bad) { bad.steps[loop].leaves[k].access.first ^= 1; }));
-    if (good.steps[loop].leaves[k].kind == Leaf::Kind::given)
+    if (good.steps[loop].leaves[k].array == Array::input)
       EXPECT_TRUE(is_seen([&](LoopFunction &bad) { bad.steps[loop].leaves[k].access.step = 2; }));
   }
   for (std::size_t id = 0; id < good.steps[loop].body.nodes.size(); ++id)

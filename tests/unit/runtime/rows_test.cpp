@@ -1,6 +1,7 @@
 // Random chains of stages that are alike, each or every second or third one: the proof of each, and how many become
 // rows.
 #include "engine/plan/reroll/reroll.h"
+#include "engine/plan/schedule/schedule.h"
 #include "graph_builder.h"
 #include "loop_run.h"
 
@@ -86,7 +87,8 @@ TEST(Rows, OfRandomChainsComputeTheResults) {
     for (double &input : inputs) input = std::uniform_real_distribution<double>(-0.5, 0.5)(random);
     std::vector<double> const values = evaluate(graph, inputs, {});
     for (FloatingPoint const mode : {FloatingPoint::strict, FloatingPoint::finite}) {
-      std::optional<LoopFunction> const compute = rerolled(schedule(graph), mode).compute; // with its proof
+      std::optional<LoopFunction> const compute =
+          test::loops_of_compute(rerolled(schedule(graph), mode)); // with its proof
       if (!compute) continue;
       ++(has_rows(*compute) ? in_rows : otherwise);
       std::vector<double> const results = test::run(*compute, {}, inputs, graph.results.size());

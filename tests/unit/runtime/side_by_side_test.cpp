@@ -1,4 +1,4 @@
-#include "engine/plan/reroll/loop_program.h"
+#include "engine/plan/loop_function.h"
 
 #include <gtest/gtest.h>
 
@@ -24,9 +24,9 @@ TEST(SideBySide, StoresOfOneIterationMustNotBeNeighbours) {
 
 TEST(SideBySide, NoIterationMayWaitForAnotherOne) {
   LoopStep step = storing({{0, 1}});
-  step.leaves.push_back({Leaf::Kind::memory, {5, 1}});
+  step.leaves.push_back({Array::memory, {5, 1}});
   EXPECT_TRUE(is_side_by_side(step));
-  step.leaves.push_back({Leaf::Kind::carried, {3}});
+  step.leaves.push_back({.array = Array::memory, .access = {3}, .is_carried = true});
   EXPECT_FALSE(is_side_by_side(step));
   EXPECT_FALSE(is_side_by_side(storing({{7, 0}})));
 }

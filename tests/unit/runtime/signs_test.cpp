@@ -2,6 +2,7 @@
 #include "engine/plan/reroll/bodies.h"
 #include "engine/plan/reroll/reroll.h"
 #include "engine/plan/reroll/signs.h"
+#include "engine/plan/schedule/schedule.h"
 #include "graph_builder.h"
 #include "loop_run.h"
 
@@ -24,7 +25,7 @@ LoopStep const &loop(LoopFunction const &function) {
 // The loops of the graph with few signs, which compute what the graph does. Sums of opposite numbers aside the values
 // are the same; those are compared with ==, which takes -0 for 0.
 LoopFunction with_few_signs(Graph const &graph) {
-  std::optional<LoopFunction> const before = rerolled(schedule(graph), FloatingPoint::strict).compute;
+  std::optional<LoopFunction> const before = test::loops_of_compute(rerolled(schedule(graph), FloatingPoint::strict));
   EXPECT_TRUE(before);
   if (!before) return {};
   LoopFunction after = reroll::with_few_signs(*before);
@@ -98,7 +99,7 @@ TEST(Signs, OfTablesAreThoseThatLoopsCanShare) {
   std::size_t tables = 0;
   for (LoopStep const &step : function.steps)
     for (Leaf const &leaf : step.leaves) {
-      if (leaf.kind != Leaf::Kind::values) continue;
+      if (leaf.array != Array::values) continue;
       ++tables;
       EXPECT_GT(*std::ranges::max_element(leaf.values, {}, [](double value) { return std::fabs(value); }), 0);
     }
@@ -146,11 +147,12 @@ TEST(Signs, OfRandomLoopsLeaveTheResults) {
   unsigned loops = 0, cheaper = 0;
   for (unsigned sample = 0; sample < 300; ++sample) {
     Graph const graph = random_chain(random);
-    std::optional<LoopFunction> const before = rerolled(schedule(graph), FloatingPoint::strict).compute;
+    std::optional<LoopFunction> const before = test::loops_of_compute(rerolled(schedule(graph), FloatingPoint::strict));
     if (!before) continue;
     ++loops;
     LoopFunction const after = with_few_signs(graph);
-    EXPECT_TRUE(rerolled(schedule(graph), FloatingPoint::finite).compute); // with the proof that nothing has changed
+    EXPECT_TRUE(test::loops_of_compute(
+        rerolled(schedule(graph), FloatingPoint::finite))); // with the proof that nothing has changed
     cheaper += reroll::operations_of(loop(after).body) < reroll::operations_of(loop(*before).body);
   }
   EXPECT_GT(loops, 100);

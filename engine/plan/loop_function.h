@@ -1,9 +1,10 @@
-// Loop program: a function as steps, each a body that is computed once or in a loop; the input of the emitters.
+// Loop function: a function as steps, each a body that is computed once or in a loop; the input of the emitters.
 #pragma once
 
 #include "engine/graph/graph.h"
 #include "engine/graph/node_table.h"
-#include "engine/plan/reroll/nest.h"
+#include "engine/plan/nest.h"
+#include "engine/plan/value.h"
 
 #include <algorithm>
 #include <array>
@@ -14,26 +15,15 @@
 
 namespace symreal::reroll {
 
-// Source of a body's input.
+// Source of a body's input: an element of an array, or of a table that repeats.
 struct Leaf {
-  enum class Kind : std::uint8_t {
-    given, // an element of the function's input: inputs, or in preprocess parameters
-    read,  // an element that preprocess stored
-    sine,  // an element of the sines or cosines at the start of the function
-    cosine,
-    memory,  // an element of the function's own array
-    values,  // values[iteration % size]; if by_turn, values[turn % size] of the outer loop
-    carried, // loop-carried: first that element of memory, then the previous iteration's value of `next`
-  } kind;
+  Array array;
   Access access = {};
-  std::vector<double> values = {};
+  std::vector<double> values = {}; // of Array::values: values[iteration % size]; if by_turn, of the outer loop's turn
   bool by_turn = false;
+  bool is_carried = false; // loop-carried: the element of memory first, then the previous iteration's value of `next`
   NodeId next = no_node;
 };
-
-// The kinds as the text form of a plan spells them, in the order of the enumerators.
-inline constexpr std::array<std::string_view, 7> leaf_kind_names = {"given",  "read",   "sine",   "cosine",
-                                                                    "memory", "values", "carried"};
 
 // A store at the end of each iteration, in order: to an element of memory, or of an output.
 struct Store {
@@ -50,7 +40,7 @@ struct LoopStep {
   std::optional<Nest> nest = {}; // loop nest of the iterations, if known beforehand
 };
 
-// Value of a leaf of kind `values` in an iteration. `nest`: that of its step.
+// Value of a leaf of array `values` in an iteration. `nest`: that of its step.
 double value_at(Leaf const &leaf, std::uint32_t iteration, std::optional<Nest> const &nest);
 
 // Loop nest of the step; if it is not known beforehand, the one that fits its accesses.
@@ -66,8 +56,10 @@ std::optional<Nest> nest_of(LoopStep const &step);
 bool is_side_by_side(LoopStep const &step);
 
 // Whether the leaf reads an array that the caller passes, which outputs may overlap.
-inline bool is_argument(Leaf::Kind kind) { return kind == Leaf::Kind::given || kind == Leaf::Kind::read; }
-inline bool reads_arguments(LoopStep const &step) { return std::ranges::any_of(step.leaves, is_argument, &Leaf::kind); }
+inline bool is_argument(Array array) { return space_of(array) == Space::argument; }
+inline bool reads_arguments(LoopStep const &step) {
+  return std::ranges::any_of(step.leaves, is_argument, &Leaf::array);
+}
 
 // A symmetric matrix among the outputs, stored by rows. After all steps, the half below its diagonal is copied from the
 // half above, or the other way round.

@@ -1,4 +1,4 @@
-#include "engine/plan/reroll/nest.h"
+#include "engine/plan/nest.h"
 
 #include <ranges>
 #include <set>

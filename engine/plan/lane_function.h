@@ -1,8 +1,11 @@
-// Lane program: a function whose operations are partly vector operations; the input of the emitters.
+// Lane function: a function whose operations are partly vector operations; the input of the emitters.
 #pragma once
 
-#include "engine/plan/schedule/schedule.h"
+#include "engine/plan/value.h"
 
+#include "engine/graph/node.h"
+
+#include <algorithm>
 #include <array>
 #include <string_view>
 #include <vector>
@@ -62,12 +65,9 @@ struct LaneFunction {
   std::size_t operations = 0, in_lanes = 0; // operation counts of the graph
 
   // Whether a scalar store stores the result.
-  bool is_stored_alone(std::size_t slot) const;
+  bool is_stored_alone(std::size_t slot) const {
+    return std::ranges::none_of(stores, [&](Store const &s) { return slot >= s.first && slot < s.first + width; });
+  }
 };
-
-class ScalarFunction;
-struct VectorChoice;
-// Lane program of the vectors that the search found (search.h): their sources and order.
-LaneFunction lane_function(ScalarFunction const &function, VectorChoice const &found);
 
 } // namespace symreal::lanes

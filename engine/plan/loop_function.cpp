@@ -1,4 +1,4 @@
-#include "engine/plan/reroll/loop_program.h"
+#include "engine/plan/loop_function.h"
 
 #include <cstdlib>
 
@@ -34,7 +34,7 @@ bool are_neighbours(NestedAccess const &a, NestedAccess const &b) {
 
 bool is_side_by_side(LoopStep const &step) {
   if (step.count == 1) return false;
-  if (std::ranges::any_of(step.leaves, [](Leaf const &leaf) { return leaf.kind == Leaf::Kind::carried; })) return false;
+  if (std::ranges::any_of(step.leaves, [](Leaf const &leaf) { return leaf.is_carried; })) return false;
   std::optional<Nest> const nest = nest_of(step);
   if (nest && nest->growth == 0 && nest->inner <= most_unrolled) return false;
   std::vector<std::pair<bool, NestedAccess>> stores;
@@ -75,7 +75,7 @@ LoopStep BodyBuilder::finish(std::uint32_t count, std::optional<Nest> const &nes
   body.input_values.assign(step.leaves.size(), 0.0);
   for (Store const &store : step.stores) body.results.push_back(store.value);
   for (Leaf const &leaf : step.leaves)
-    if (leaf.kind == Leaf::Kind::carried) body.results.push_back(leaf.next);
+    if (leaf.is_carried) body.results.push_back(leaf.next);
   body.outputs = {{"stores", {body.results.size()}, 0, count_of(body.results.size())}};
   return step;
 }

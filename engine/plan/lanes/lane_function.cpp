@@ -1,5 +1,3 @@
-#include "engine/plan/lanes/lane_program.h"
-
 #include "engine/plan/lanes/search.h"
 
 #include <algorithm>
@@ -194,11 +192,6 @@ private:
 
 LaneFunction lane_function(ScalarFunction const &function, VectorChoice const &found) {
   return Program(function, found).run();
-}
-
-bool LaneFunction::is_stored_alone(std::size_t slot) const {
-  return std::ranges::none_of(stores,
-                              [&](Store const &store) { return slot >= store.first && slot < store.first + width; });
 }
 
 } // namespace symreal::lanes
