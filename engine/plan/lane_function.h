@@ -1,9 +1,8 @@
 // Lane function: a function whose operations are partly vector operations; the input of the emitters.
 #pragma once
 
-#include "engine/plan/value.h"
-
 #include "engine/graph/node.h"
+#include "engine/plan/value.h"
 
 #include <algorithm>
 #include <array>

@@ -55,8 +55,7 @@ std::optional<Nest> nest_of(LoopStep const &step);
 // loops are unrolled first, and then the stores of several inner iterations belong to one outer iteration.
 bool is_side_by_side(LoopStep const &step);
 
-// Whether the leaf reads an array that the caller passes, which outputs may overlap.
-inline bool is_argument(Array array) { return space_of(array) == Space::argument; }
+// Whether the step reads arrays that the caller passes, which outputs may overlap.
 inline bool reads_arguments(LoopStep const &step) {
   return std::ranges::any_of(step.leaves, is_argument, &Leaf::array);
 }

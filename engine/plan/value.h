@@ -42,6 +42,7 @@ enum class Array : std::uint8_t {
 std::optional<Array> find_array(std::string_view name);
 std::string_view name_of(Array array);
 Space space_of(Array array);
+inline bool is_argument(Array array) { return space_of(array) == Space::argument; }
 
 struct Element {
   Array array;

@@ -1,4 +1,4 @@
-// A language: all that emitters know of it. One walk over the schedule (emit/print) prints all of them. The fields, and
+// A language: all that emitters know of it. One walk over the plan (emit/print) prints all of them. The fields, and
 // the places of those that are patterns (pattern.h), stand in fields.def, from which a language's file is read as well
 // (language_file.h).
 #pragma once

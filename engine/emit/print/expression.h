@@ -1,4 +1,4 @@
-// Expressions in a language: nested as the schedule nests them, with the fewest parentheses.
+// Expressions in a language: nested as the plan nests them, with the fewest parentheses.
 #pragma once
 
 #include "engine/emit/print/emission.h"

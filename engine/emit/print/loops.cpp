@@ -67,7 +67,7 @@ private:
   // Compilers may unroll a loop and see the values of a table.
   std::vector<char> constant_leaves() const {
     std::vector<char> constant;
-    for (Leaf const &leaf : step_.leaves) constant.push_back(may_be_constant_ && !reroll::is_argument(leaf.array));
+    for (Leaf const &leaf : step_.leaves) constant.push_back(may_be_constant_ && !is_argument(leaf.array));
     return constant;
   }
 

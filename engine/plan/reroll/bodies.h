@@ -16,7 +16,7 @@ using Improve = std::function<Graph(Graph graph, bool in_loop)>;
 
 // A step with fewer operations, else the step unchanged. To the passes, table constants are parameters, and nodes that
 // depend on parameters alone move into the tables, evaluated here row by row; elements of `sine` and `cosine` are the
-// sine and cosine of an input. `angles`: those of the schedule.
+// sine and cosine of an input. `angles`: those of the plan.
 LoopStep improved(LoopStep const &step, Angles const &angles, Improve const &improve);
 
 // Operation count of a body, and of a step over all its iterations.
