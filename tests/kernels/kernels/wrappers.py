@@ -87,8 +87,9 @@ class WrapperSession(Session):
         """The program with wrappers in place of the kernels, all of which are copies or none; a message where something does not compile."""
         self.write_lines("generated.c", [line for k in kernels for line in beside_others(k.name, os.path.join(self.directory, "out", k.name + ".c"))])
         done = self.run("gcc", *GENERATED, "-c", "generated.c", "-o", "generated.o")
-        if done.returncode != 0:
-            return done.stderr[:3000]
+        broken = next(filter(None, map(self.compile_alone, kernels)), None) if not self.verify else None  # verify compiles each alone
+        if broken or done.returncode != 0:
+            return (broken or done.stderr)[:3000]
         computes = {self.prefix(k) + "compute": self.guards(k) for k in kernels}
         self.write_lines("count.c", ["extern int computed;"] + [
             f"int __real_{compute}(double const *, double const *, double *);\n"
