@@ -53,10 +53,10 @@ std::vector<rewrite::Kernel> wanted_kernels(rewrite::Result const &rewritten, Fr
   if (request.kernel.empty()) return wanted;
   std::vector<std::string> const chosen = items_of(request.kernel);
   for (std::string const &name : chosen)
-    if (!names.contains(name))
+    if (std::ranges::find(wanted, name, &rewrite::Kernel::name) == wanted.end())
       fail(DiagnosticId::unknown_kernel, {}, "no kernel is named '" + name + "'; there are: " + list);
   std::erase_if(wanted,
-                [&](rewrite::Kernel const &kernel) { return std::ranges::find(chosen, kernel.name) == chosen.end(); });
+                [&](rewrite::Kernel const &one) { return std::ranges::find(chosen, one.name) == chosen.end(); });
   return wanted;
 }
 
