@@ -51,7 +51,12 @@ void DeducingLiterals::choice(ConditionalOperator const *choice) {
   // A macro's body is one text for all of its uses, and some may be on integers.
   if (!map_.sources().getSLocEntry(map_.frame(choice->getQuestionLoc())).isFile()) return;
   Expr const *yes = choice->getTrueExpr(), *no = choice->getFalseExpr();
-  bool const yes_stays = reals_.stays_double(yes), no_stays = reals_.stays_double(no);
+  // An integer of a class and a double convert to each other.
+  auto const stays = [this](Expr const *arm) {
+    return reals_.stays_double(arm) &&
+           !(arm->IgnoreParenImpCasts()->getType()->isIntegerType() && reals_.may_be_symbolic(arm));
+  };
+  bool const yes_stays = stays(yes), no_stays = stays(no);
   if (yes_stays == no_stays) return;
   Expr const *literal = (yes_stays ? yes : no)->IgnoreImpCasts();
   if (Reals::is_double(literal->getType())) wrap(literal, Use::literal);

@@ -181,17 +181,16 @@ public:
   explicit Numbers(Reals const &reals) : reals_(reals) {}
   bool are_in(Expr const *expression) { return !TraverseStmt(const_cast<Expr *>(expression)); }
   bool VisitExpr(Expr *expression) override {
-    return !Reals::is_double(expression->getType()) || reals_.stays_double(expression);
+    return !reals_.is_real(expression) && !reals_.is_symbolic_integer(expression);
   }
 
 private:
   Reals const &reals_;
 };
 
-} // namespace
-
-bool Reals::stays_double(Expr const *expression) const {
-  while (true) { // skips nodes without text
+// Skips nodes without text.
+Expr const *spelled(Expr const *expression) {
+  while (true) {
     Expr const *inner = expression->IgnoreParenImpCasts();
     if (auto const *full = dyn_cast<FullExpr>(inner))
       inner = full->getSubExpr();
@@ -199,9 +198,15 @@ bool Reals::stays_double(Expr const *expression) const {
       inner = temporary->getSubExpr();
     else if (auto const *defaulted = dyn_cast<CXXDefaultArgExpr>(inner))
       inner = defaulted->getExpr();
-    if (inner == expression) break;
+    if (inner == expression) return expression;
     expression = inner;
   }
+}
+
+} // namespace
+
+bool Reals::stays_double(Expr const *expression) const {
+  expression = spelled(expression);
   if (!is_double(expression->getType())) return true;
   if (table_of(expression)) return false;
   if (isa<FloatingLiteral>(expression)) return true;
@@ -230,6 +235,60 @@ bool Reals::stays_double(Expr const *expression) const {
   if (isa<ArraySubscriptExpr>(expression)) return object_is_passive(expression);
   if (auto const *call = dyn_cast<CallExpr>(expression)) return call_stays_double(call);
   return isa<SubstNonTypeTemplateParmExpr>(expression) || isa<UserDefinedLiteral>(expression);
+}
+
+bool Reals::computes_with_counted(Expr const *expression) const {
+  expression = spelled(expression);
+  if (!is_double(expression->getType())) return false;
+  auto const takes = [this](Expr const *operand) {
+    Expr const *written = spelled(operand);
+    return is_double(written->getType()) ? computes_with_counted(written)
+                                         : may_be_symbolic(written) || is_truth_of_numbers(written);
+  };
+  if (auto const *unary = dyn_cast<UnaryOperator>(expression)) return takes(unary->getSubExpr());
+  if (auto const *binary = dyn_cast<BinaryOperator>(expression))
+    return (!binary->isCommaOp() && takes(binary->getLHS())) || takes(binary->getRHS());
+  if (auto const *choice = dyn_cast<ConditionalOperator>(expression))
+    return takes(choice->getTrueExpr()) || takes(choice->getFalseExpr());
+  auto const *call = dyn_cast<CallExpr>(expression);
+  return call && is_math(call->getDirectCallee()) && llvm::any_of(call->arguments(), takes);
+}
+
+// A comparison that keeps its condition.
+bool Reals::is_truth_of_numbers(Expr const *expression) const {
+  expression = spelled(expression);
+  if (auto const *unary = dyn_cast<UnaryOperator>(expression))
+    return unary->getOpcode() == UO_LNot && is_truth_of_numbers(unary->getSubExpr());
+  if (auto const *reference = dyn_cast<DeclRefExpr>(expression)) { // auto is_above = x > 1
+    auto const *variable = dyn_cast<VarDecl>(reference->getDecl());
+    return variable && variable->getType()->getContainedAutoType() && variable->getType()->isBooleanType() &&
+           variable->getInit() && is_truth_of_numbers(variable->getInit());
+  }
+  if (auto const *call = dyn_cast<CallExpr>(expression)) // isnan(x)
+    return expression->getType()->isIntegerType() && is_math(call->getDirectCallee()) &&
+           llvm::any_of(call->arguments(), [this](Expr const *argument) { return is_real(argument); });
+  auto const *binary = dyn_cast<BinaryOperator>(expression);
+  return binary && binary->isComparisonOp() && !binary->isTypeDependent() &&
+         llvm::any_of(llvm::ArrayRef{binary->getLHS(), binary->getRHS()},
+                      [this](Expr const *side) { return is_real(side) || may_be_symbolic(side); });
+}
+
+bool Reals::may_be_symbolic(Expr const *expression) const {
+  expression = spelled(expression);
+  if (expression->isTypeDependent() || !expression->getType()->isIntegerType()) return false;
+  if (integer_depends(expression, [](CastExpr const *) { return true; })) return true;
+  auto const counts = [this](Expr const *part) { return may_be_symbolic(part) || is_truth_of_numbers(part); };
+  if (auto const *unary = dyn_cast<UnaryOperator>(expression))
+    return (unary->getOpcode() == UO_Minus || unary->getOpcode() == UO_Plus || unary->getOpcode() == UO_Not) &&
+           counts(unary->getSubExpr());
+  if (auto const *choice = dyn_cast<ConditionalOperator>(expression))
+    return may_be_symbolic(choice->getTrueExpr()) || may_be_symbolic(choice->getFalseExpr()) ||
+           Numbers(*this).are_in(choice->getCond());
+  auto const *binary = dyn_cast<BinaryOperator>(expression);
+  if (binary && binary->isCommaOp()) return may_be_symbolic(binary->getRHS());
+  return binary && !binary->isAssignmentOp() &&
+         (binary->isAdditiveOp() || binary->isMultiplicativeOp() || binary->isShiftOp() || binary->isBitwiseOp()) &&
+         (counts(binary->getLHS()) || counts(binary->getRHS()));
 }
 
 bool Reals::is_integer(QualType type) {

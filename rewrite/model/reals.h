@@ -27,7 +27,8 @@ public:
 
   // A double now, a REAL in the symbolic program.
   bool is_real(clang::Expr const *expression) const {
-    return is_double(expression->getType()) && !expression->isTypeDependent() && !stays_double(expression);
+    return is_double(expression->getType()) && !expression->isTypeDependent() &&
+           (!stays_double(expression) || computes_with_counted(expression));
   }
 
   // constexpr, a static const member with its value in the class, or declared outside the roots.
@@ -56,6 +57,9 @@ public:
   void add_symbolic_integer(clang::VarDecl const *variable) { symbolic_integers_.insert(variable); }
   bool is_symbolic_integer(clang::VarDecl const *variable) const { return symbolic_integers_.contains(variable); }
   bool is_symbolic_integer(clang::Expr const *expression) const;
+  // An integer that may be of that class by what it is computed from: conversions, truth values of REALs that are
+  // counted. True in doubt.
+  bool may_be_symbolic(clang::Expr const *expression) const;
   // Whether the integer depends on a REAL, given which conversions do.
   bool integer_depends(clang::Expr const *expression,
                        llvm::function_ref<bool(clang::CastExpr const *)> cast_does) const;
@@ -87,6 +91,9 @@ private:
   enum class Depth { storage, anything };
   bool holds(clang::QualType type, Depth depth, llvm::SmallPtrSetImpl<clang::Type const *> &seen) const;
   bool call_stays_double(clang::CallExpr const *call) const;
+  // Arithmetic in double, of which an operand is converted from an integer or a truth value of a class.
+  bool computes_with_counted(clang::Expr const *expression) const;
+  bool is_truth_of_numbers(clang::Expr const *expression) const;
   bool object_is_passive(clang::Expr const *expression) const;
 
   SourceMap const &map_;
