@@ -1,5 +1,6 @@
 #include "rewrite/select/arms.h"
 #include "rewrite/source/walk.h"
+#include "rewrite/text/compose.h"
 #include "rewrite/text/pragma_text.h"
 
 namespace symreal::rewrite {
@@ -61,6 +62,21 @@ public:
 
 private:
   std::set<VarDecl const *> const &variables_;
+};
+
+// The symbolic integers that are arms of a `?:`, which stays one where a target names its element.
+class ArmsOfIntegers : public Walk {
+public:
+  explicit ArmsOfIntegers(Reals const &reals) : reals_(reals) {}
+  bool VisitConditionalOperator(ConditionalOperator *choice) override {
+    for (Expr const *arm : {choice->getTrueExpr(), choice->getFalseExpr()})
+      if (reals_.is_symbolic_integer(arm)) found.push_back(Reals::spelled_integer(arm));
+    return true;
+  }
+  std::vector<Expr const *> found;
+
+private:
+  Reals const &reals_;
 };
 
 } // namespace
@@ -176,7 +192,19 @@ void ArmWalker::add_target(Expr const *target) {
   }
   std::optional<Span> const span = analysis_.map_.range_in(allowed_.frame, target->getSourceRange());
   if (!span) return block(place, {ReasonId::assigned_by_macro});
-  std::string const text = with_real(normalised(analysis_.map_.text_in(allowed_.frame, *span)));
+  ArmsOfIntegers arms(analysis_.reals_);
+  arms.TraverseStmt(const_cast<Expr *>(target));
+  std::vector<Rewording> conversions;
+  for (Expr const *arm : arms.found) {
+    std::optional<Span> const part = analysis_.map_.range_in(allowed_.frame, arm->getSourceRange());
+    if (!part || part->file != span->file || part->begin < span->begin || part->end > span->end)
+      return block(place, {ReasonId::assigned_by_macro});
+    PrintingPolicy const policy(analysis_.map_.language());
+    conversions.push_back({part->begin - span->begin, part->end - span->begin,
+                           "SYMREAL_REAL_TO(" + arm->getType().getUnqualifiedType().getAsString(policy) + ", ", ")"});
+  }
+  std::string const original = analysis_.map_.text_in(allowed_.frame, *span);
+  std::string const text = with_real(normalised(apply_edits(original, compose(original, conversions))));
   for (std::string const &known : result.targets)
     if (known == text) return;
   result.targets.push_back(text);

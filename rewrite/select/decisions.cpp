@@ -255,17 +255,31 @@ void DecisionCollector::choose_value(ConditionalOperator const *choice) {
   bool const becomes = becomes_number(choice);
   bool const yes = is_symbolic_integer(choice->getTrueExpr(), becomes);
   bool const no = is_symbolic_integer(choice->getFalseExpr(), becomes);
-  if (select_value(choice, becomes, yes, no) || yes == no) return;
-  make_plain(yes ? choice->getTrueExpr() : choice->getFalseExpr());
+  if (select_value(choice, becomes, yes, no)) return;
+  if (yes != no) return make_plain(yes ? choice->getTrueExpr() : choice->getFalseExpr());
+  counted_arms(choice);
+}
+
+// An arm that counts truth values of numbers, in a `?:` that stays one.
+void DecisionCollector::counted_arms(ConditionalOperator const *choice) {
+  if (!choice->getType()->isIntegerType() || choice->isTypeDependent()) return;
+  Expr const *yes = Reals::spelled_integer(choice->getTrueExpr()), *no = Reals::spelled_integer(choice->getFalseExpr());
+  auto const counts = [this](Expr const *arm) { return isa<BinaryOperator>(arm) && reals_.may_be_symbolic(arm); };
+  bool const are_one_type = context_.hasSameUnqualifiedType(yes->getType(), no->getType());
+  for (auto const &[arm, other] : {std::pair(yes, no), std::pair(no, yes)})
+    if (counts(arm) && !reals_.is_symbolic_integer(arm) && !(counts(other) && are_one_type)) make_integer(arm);
 }
 
 // An integer cannot be an alternative to a symbolic one, such as a `?:` that has become a select.
 void DecisionCollector::make_plain(Expr const *arm) {
-  auto const *inner = dyn_cast<ConditionalOperator>(Reals::spelled_integer(arm));
-  std::optional<Span> const span = inner ? map_.range(inner->getSourceRange()) : std::nullopt;
-  if (!span || !map_.in_roots(inner->getBeginLoc())) return;
+  if (auto const *inner = dyn_cast<ConditionalOperator>(Reals::spelled_integer(arm))) make_integer(inner);
+}
+
+void DecisionCollector::make_integer(Expr const *arm) {
+  std::optional<Span> const span = map_.range(arm->getSourceRange());
+  if (!span || !map_.in_roots(arm->getBeginLoc())) return;
   PrintingPolicy const policy(map_.language());
-  facts_.wraps.insert({*span, Use::conversion, inner->getType().getUnqualifiedType().getAsString(policy)});
+  facts_.wraps.insert({*span, Use::conversion, arm->getType().getUnqualifiedType().getAsString(policy)});
 }
 
 // Whether the choice can become a select. `yes`, `no`: whether the arms are symbolic integers.
