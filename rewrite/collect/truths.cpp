@@ -21,7 +21,10 @@ public:
 
 private:
   void instantiated_arguments(CallSite const *site) {
-    for (unsigned i = 0; i < site->arguments.size(); ++i) truth_argument(site->function, i, site->arguments[i], true);
+    for (unsigned i = 0; i < site->arguments.size(); ++i) {
+      truth_argument(site->function, i, site->arguments[i], true);
+      counted_argument(site->function, i, site->arguments[i], site->is_overloaded);
+    }
   }
   void thrown(CXXThrowExpr const *expression) {
     if (expression->getSubExpr()) erased(expression->getSubExpr());
@@ -45,6 +48,7 @@ private:
     for (unsigned i = 0; i < site->arguments.size(); ++i)
       if (Expr const *argument = site->arguments[i]; !argument->isTypeDependent()) {
         truth_argument(site->function, i, argument, site->is_overloaded);
+        counted_argument(site->function, i, argument, site->is_overloaded);
         extreme_argument(site->function, i, argument);
       }
   }
@@ -60,6 +64,19 @@ private:
                             parameter.getNonReferenceType()->isBooleanType();
     if (!is_deduced && !(overloaded && !Reals::is_double(parameter))) return;
     wrap(argument->IgnoreImpCasts(), Use::argument, "bool");
+  }
+
+  // f(1 + (x > 1)) of several functions: the class of the sum converts to the parameters of all of them.
+  void counted_argument(FunctionDecl const *function, unsigned index, Expr const *argument, bool overloaded) {
+    if (!overloaded || index >= function->getNumParams() || !reals_.in_roots(function)) return;
+    if (!Reals::is_integer(argument->IgnoreParenImpCasts()->getType())) return;
+    if (!reals_.may_be_symbolic(argument) || reals_.is_symbolic_integer(argument)) return;
+    FunctionTemplateDecl const *primary = function->getPrimaryTemplate();
+    bool const is_pattern = primary && index < primary->getTemplatedDecl()->getNumParams();
+    if (is_pattern && primary->getTemplatedDecl()->getParamDecl(index)->getType()->isDependentType()) return;
+    QualType const parameter = function->getParamDecl(index)->getType().getNonReferenceType();
+    Expr const *written = Reals::spelled_integer(argument)->IgnoreParenImpCasts();
+    wrap(written, Use::argument, spelled(parameter->isArithmeticType() ? parameter : written->getType()));
   }
 
   // std::max<long>(i, x > 1): of the overloads for symbolic integers none is better than the others.
