@@ -28,6 +28,28 @@ ImplicitCastExpr const *conversion_of_double(Expr const *expression) {
   }
 }
 
+// Operators of the program that take an enumeration, or anything: beside an integer in its place they would not be
+// chosen.
+class OperatorsOfEnumerations : public Walk {
+public:
+  explicit OperatorsOfEnumerations(SourceMap const &map) : map_(map) {}
+  bool TraverseDecl(Decl *declaration) override {
+    return !declaration || map_.is_outside(declaration) || Walk::TraverseDecl(declaration);
+  }
+  bool VisitFunctionDecl(FunctionDecl *function) override {
+    bool const is_operator = function->isOverloadedOperator() && map_.in_roots(function->getLocation());
+    found = found || (is_operator && llvm::any_of(function->parameters(), [](ParmVarDecl const *parameter) {
+                        QualType const type = parameter->getType().getNonReferenceType();
+                        return type->isDependentType() || type->isEnumeralType();
+                      }));
+    return !found;
+  }
+  bool found = false;
+
+private:
+  SourceMap const &map_;
+};
+
 bool has_wrap(Facts const &facts, Span const &span, Use use) {
   auto const found = facts.wraps.lower_bound({span, use, ""});
   return found != facts.wraps.end() && found->span == span && found->use == use;
@@ -40,6 +62,7 @@ public:
     on<VarDecl>(INSTANCES, &InstantiatedConversions::initializer);
     on<ReturnStmt>(INSTANCES, &InstantiatedConversions::result);
     on<BinaryOperator>(INSTANCES, &InstantiatedConversions::assignment);
+    on<ImplicitCastExpr>(INSTANCES, &InstantiatedConversions::enumerator);
   }
 
 private:
@@ -52,6 +75,7 @@ private:
   }
 
   void arguments(CallSite const *site) {
+    for (Expr const *argument : site->arguments) given_.insert(argument->IgnoreParenImpCasts());
     for (Expr const *argument : site->arguments)
       if (ImplicitCastExpr const *cast = conversion_of_double(argument)) {
         Expr const *from = cast->getSubExpr();
@@ -69,6 +93,27 @@ private:
     std::optional<Span> const span = wrap_for({}, cast->getSubExpr(), Use::conversion, spelled(cast->getType()));
     if (span) facts_.shared.insert(*span);
   }
+
+  // `double v = e;`, `x * e` and a fold of one element in a template, where e is an enumerator. An argument may choose
+  // among functions.
+  void enumerator(ImplicitCastExpr const *cast) {
+    Expr const *from = cast->getSubExpr();
+    if (cast->getCastKind() != CK_IntegralToFloating || cast->isPartOfExplicitCast() ||
+        !Reals::is_double(cast->getType()) || !from->IgnoreParenImpCasts()->getType()->isUnscopedEnumerationType())
+      return;
+    soon([this, from] {
+      if (given_.contains(from->IgnoreParenImpCasts())) return;
+      if (!has_operators_) {
+        OperatorsOfEnumerations operators(map_);
+        operators.TraverseDecl(context_.getTranslationUnitDecl());
+        has_operators_ = operators.found;
+      }
+      if (!*has_operators_) wrap(from->IgnoreImpCasts(), Use::counted);
+    });
+  }
+
+  llvm::SmallPtrSet<Expr const *, 32> given_; // to functions
+  std::optional<bool> has_operators_;
 };
 
 class Instances : public Walk {

@@ -141,6 +141,16 @@ template <class From> [[gnu::always_inline]] constexpr decltype(auto) symreal_de
     return static_cast<From &&>(value);
 }
 
+// An enumerator in a template, which is converted to a number, as the integer that it is promoted to. Other types pass
+// unchanged.
+template <class From> constexpr auto symreal_integer(From &&value) noexcept {
+  using Plain = std::remove_cvref_t<From>;
+  if constexpr (std::is_enum_v<Plain> && std::is_convertible_v<Plain, int>)
+    return +value;
+  else
+    return Plain(static_cast<From &&>(value));
+}
+
 // Increment and decrement of C's truth values: ++ yields true, -- inverts.
 class CountedTruth {
 public:
