@@ -68,23 +68,23 @@ bool names_constant(Expr const *expression, Reals const &reals) {
          names_constant(call->getImplicitObjectArgument(), reals);
 }
 
-// The name of the static object of which such an expression names a part; null for a local object.
-Expr const *static_name(Expr const *expression) {
+// The name of the object of which such an expression names a part.
+Expr const *object_name(Expr const *expression) {
   expression = bare(expression);
   ValueDecl const *declaration = nullptr;
   if (auto const *name = dyn_cast<DeclRefExpr>(expression)) declaration = name->getDecl();
   auto const *member = dyn_cast<MemberExpr>(expression);
   if (member && isa<VarDecl>(member->getMemberDecl()) && member->isImplicitAccess())
     declaration = member->getMemberDecl();
-  if (declaration) return cast<VarDecl>(declaration)->hasGlobalStorage() ? expression : nullptr;
-  if (member) return static_name(member->getBase());
-  if (auto const *element = dyn_cast<ArraySubscriptExpr>(expression)) return static_name(element->getBase());
-  if (auto const *unary = dyn_cast<UnaryOperator>(expression)) return static_name(unary->getSubExpr());
+  if (declaration) return expression;
+  if (member) return object_name(member->getBase());
+  if (auto const *element = dyn_cast<ArraySubscriptExpr>(expression)) return object_name(element->getBase());
+  if (auto const *unary = dyn_cast<UnaryOperator>(expression)) return object_name(unary->getSubExpr());
   if (auto const *binary = dyn_cast<BinaryOperator>(expression))
-    return static_name(binary->getLHS()->getType()->isIntegerType() ? binary->getRHS() : binary->getLHS());
-  if (auto const *element = dyn_cast<CXXOperatorCallExpr>(expression)) return static_name(element->getArg(0));
+    return object_name(binary->getLHS()->getType()->isIntegerType() ? binary->getRHS() : binary->getLHS());
+  if (auto const *element = dyn_cast<CXXOperatorCallExpr>(expression)) return object_name(element->getArg(0));
   auto const *call = dyn_cast<CXXMemberCallExpr>(expression);
-  return call ? static_name(call->getImplicitObjectArgument()) : nullptr;
+  return call ? object_name(call->getImplicitObjectArgument()) : nullptr;
 }
 
 // A compiler evaluates such a function itself, where the bytes of an object have one type.
@@ -110,7 +110,7 @@ public:
   }
 
 private:
-  bool is_constant_evaluated() const { return at_.passive || is_evaluated(at_.function); }
+  bool is_constant_evaluated() const { return at_.passive || at_.is_template_value || is_evaluated(at_.function); }
   void constants_handed(CallSite const *site);
   void constant_arguments(CallSite const *site);
   void dependent_call(CallExpr const *dependent);
@@ -138,7 +138,7 @@ private:
 } // namespace
 
 void ConstantObjects::constant_object(Expr const *value) {
-  if (!is_evaluated(at_.function)) constant_object(value, Use::deduced);
+  if (!at_.is_template_value && !is_evaluated(at_.function)) constant_object(value, Use::deduced);
 }
 
 void ConstantObjects::constant_object(Expr const *value, Use use) {
@@ -154,8 +154,11 @@ void ConstantObjects::constant_object(Expr const *value, Use use) {
   }
   if (object->getType().isNull() || object->isTypeDependent() || !map_.in_roots(object->getBeginLoc())) return;
   if (!spells_double(object->getType()) || !names_constant(object, reals_)) return;
-  Expr const *wrapped = use == Use::constant ? static_name(object) : object;
-  if (wrapped) wrap(wrapped, use);
+  Expr const *wrapped = use == Use::constant ? object_name(object) : object;
+  if (!wrapped) return;
+  auto const *name = dyn_cast<DeclRefExpr>(wrapped);
+  bool const is_local = name && cast<VarDecl>(name->getDecl())->hasLocalStorage();
+  wrap(wrapped, is_local && use == Use::constant ? Use::local_constant : use);
 }
 
 // An object that is handed, where the compiler evaluates, to a function of the program that takes REALs.

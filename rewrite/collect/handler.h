@@ -23,6 +23,7 @@ struct Position {
   Passive passive = not_passive;                 // double stays double
   bool in_template = false;                      // types may depend on its arguments
   clang::FunctionDecl const *function = nullptr; // around it
+  bool is_template_value = false;                // an argument of a template, which the compiler evaluates
 };
 
 // A source, what is known of it beforehand, and the facts about it that handlers collect.

@@ -90,6 +90,10 @@ public:
     Within const passive(passive_, array_bound);
     return this->TraverseStmt(type.getSizeExpr());
   }
+  bool TraverseTemplateArgumentLoc(clang::TemplateArgumentLoc const &argument) override {
+    Within const value(is_template_value_, argument.getArgument().getKind() == clang::TemplateArgument::Expression);
+    return Walk::TraverseTemplateArgumentLoc(argument);
+  }
   bool TraverseTemplateSpecializationTypeLoc(clang::TemplateSpecializationTypeLoc type) override {
     clang::TemplateDecl const *declaration = type.getTypePtr()->getTemplateName().getAsTemplateDecl();
     Within const passive(passive_, Reals::is_passive_template(declaration) ? plain_template : not_passive);
@@ -130,9 +134,10 @@ protected:
 
   SourceMap const &map_;
   Reals const &reals_;
-  Passive passive_ = not_passive; // double stays double
-  bool no_state_ = false;         // nothing is read or written while the program runs
-  bool in_template_ = false;      // types may depend on its arguments
+  Passive passive_ = not_passive;  // double stays double
+  bool no_state_ = false;          // nothing is read or written while the program runs
+  bool in_template_ = false;       // types may depend on its arguments
+  bool is_template_value_ = false; // an argument of a template, which the compiler evaluates
   clang::FunctionDecl const *function_ = nullptr;
 
 private:

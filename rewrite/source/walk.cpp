@@ -24,6 +24,9 @@ public:
   bool TraverseLambdaCapture(LambdaExpr *lambda, LambdaCapture const *capture, Expr *initializer) {
     return walk_.TraverseLambdaCapture(lambda, capture, initializer);
   }
+  bool TraverseTemplateArgumentLoc(TemplateArgumentLoc const &argument) {
+    return walk_.TraverseTemplateArgumentLoc(argument);
+  }
   bool TraverseConceptExprRequirement(concepts::ExprRequirement *requirement) {
     return walk_.TraverseConceptExprRequirement(requirement);
   }
@@ -61,6 +64,9 @@ bool Walk::TraverseNestedNameSpecifierLoc(NestedNameSpecifierLoc name) {
 }
 bool Walk::TraverseLambdaCapture(LambdaExpr *lambda, LambdaCapture const *capture, Expr *initializer) {
   return Traversal(*this).Base::TraverseLambdaCapture(lambda, capture, initializer);
+}
+bool Walk::TraverseTemplateArgumentLoc(TemplateArgumentLoc const &argument) {
+  return Traversal(*this).Base::TraverseTemplateArgumentLoc(argument);
 }
 bool Walk::TraverseConceptExprRequirement(concepts::ExprRequirement *requirement) {
   return Traversal(*this).Base::TraverseConceptExprRequirement(requirement);

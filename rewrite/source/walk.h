@@ -40,6 +40,7 @@ public:
   virtual bool TraverseTypeLoc(clang::TypeLoc);
   virtual bool TraverseNestedNameSpecifierLoc(clang::NestedNameSpecifierLoc);
   virtual bool TraverseLambdaCapture(clang::LambdaExpr *, clang::LambdaCapture const *, clang::Expr *initializer);
+  virtual bool TraverseTemplateArgumentLoc(clang::TemplateArgumentLoc const &);
   virtual bool TraverseConceptExprRequirement(clang::concepts::ExprRequirement *);
 #define ENTERED_NODE(CLASS) virtual bool Traverse##CLASS(clang::CLASS *);
 #define ENTERED_TYPE(CLASS) virtual bool Traverse##CLASS(clang::CLASS);

@@ -72,7 +72,7 @@ private:
     if constexpr (std::is_same_v<Syntax, CXXConstructExpr>)
       if (!map_.in_roots(node->getLocation())) return true;
     table_.meet<Syntax>(node, ANYWHERE | (passive_ ? 0 : NUMBERS) | (passive_ || no_state_ ? 0 : RUNNING),
-                        {passive_, in_template_, function_});
+                        {passive_, in_template_, function_, is_template_value_});
     return true;
   }
 

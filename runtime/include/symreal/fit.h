@@ -119,6 +119,11 @@ private:
 // One constant object of REALs for each of doubles.
 template <auto const &object> inline constexpr auto symreal_constant = detail::recorded_constant(object);
 
+// The same of a local object, which lives as long as the expression around it.
+template <class From> constexpr auto symreal_local_constant(From const &from) noexcept {
+  return detail::recorded_constant(from);
+}
+
 template <class From> constexpr detail::PlainObject<From> symreal_plain_object(From const &from) noexcept {
   return detail::PlainObject<From>(from);
 }

@@ -95,8 +95,10 @@ namespace types {
 // packed: compilers ignore `packed` on a structure with a member whose class is not packed itself. The alignment stays
 // that of a double.
 class [[gnu::packed, gnu::aligned(alignof(double))]] RealNumber {
-  double value_;
+public:
+  double value_; // public, so that a template may have a constant of a class of numbers as an argument
 
+private:
   template <class T> using IfReal = std::enable_if_t<std::is_same_v<T, RealNumber>, int>;
   template <class T> using IfOther =
       std::enable_if_t<std::is_arithmetic_v<T> && !std::is_same_v<std::remove_cv_t<T>, RealNumber>, int>;
