@@ -21,8 +21,11 @@ std::string loops(std::vector<Section> const &sections) {
   return text;
 }
 
-std::string annotation(Clause clause, ItemFact const &item) {
+std::string annotation(Clause clause, ItemFact const &item, bool is_template) {
   bool const has_layout = !item.layout.text.empty();
+  std::string const object = is_template && is_counted(clause, item)
+                                 ? "::symreal_original::symreal_instance(" + evaluated(item) + ")"
+                                 : evaluated(item);
   return fmt::format("if (symreal_original_object(\"{}\", {}, SYMREAL_ORIGINAL_FRAME)) {{ {}SYMREAL_ORIGINAL_{}({}{}); "
                      "symreal_original_object_end(); }} ",
                      name_of(clause), place_arguments(item.label, item.place), loops(item.sections),
@@ -30,7 +33,7 @@ std::string annotation(Clause clause, ItemFact const &item) {
                      : has_layout                    ? "LAYOUT"
                      : info(clause).has(trait::KEPT) ? "BYTES"
                                                      : "NUMBERS",
-                     has_layout ? layout_arguments(item.layout) + ", " : "", evaluated(item));
+                     has_layout ? layout_arguments(item.layout) + ", " : "", object);
 }
 
 // The macro for an argument that the caller may choose as it likes; empty for others.
@@ -40,7 +43,7 @@ std::string choice(Baked const &baked) {
   return is_name && (baked.shape == "@" || baked.shape.starts_with("?it is a ")) ? "SYMREAL_ORIGINAL_CHOSEN" : "";
 }
 
-std::string clause_text(ClauseFact const &clause) {
+std::string clause_text(ClauseFact const &clause, bool is_template = false) {
   if (clause.clause == Clause::generate)
     return fmt::format("symreal_original_generate({}, {}, {}, {}); ", clause.argument, in_quotes(clause.place.file),
                        clause.place.line, clause.place.column);
@@ -55,7 +58,7 @@ std::string clause_text(ClauseFact const &clause) {
   std::string text;
   if (info(clause.clause).has(trait::OBJECTS)) // tables and fates of decisions concern the symbolic program only
     for (ItemFact const &item : clause.items)
-      if (!item.is_return) text += annotation(clause.clause, item);
+      if (!item.is_return) text += annotation(clause.clause, item, is_template);
   return text;
 }
 
@@ -69,13 +72,9 @@ std::string original_region_text(PragmaFact const &pragma) {
 // Text to insert after the opening brace of a function with a pragma.
 std::string original_function_text(PragmaFact const &pragma) {
   if (!pragma.is_kernel()) return "";
-  std::string entry, exit, call = "1";
-  for (ClauseFact const &clause : pragma.clauses) {
-    if (clause.clause == Clause::call)
-      call = clause.argument;
-    else
-      (info(clause.clause).has(trait::RESULTS) ? exit : entry) += clause_text(clause);
-  }
+  std::string entry, exit;
+  for (ClauseFact const &clause : pragma.clauses)
+    (info(clause.clause).has(trait::RESULTS) ? exit : entry) += clause_text(clause, pragma.function[0].is_template);
   std::string own;
   for (FunctionFact::Value const &one : pragma.function[0].parameters)
     own += fmt::format("SYMREAL_ORIGINAL_OWN({}) ", one.name);
@@ -84,7 +83,7 @@ std::string original_function_text(PragmaFact const &pragma) {
   std::string const place = place_arguments(pragma.function[0].name, pragma.place);
   return fmt::format("SYMREAL_ORIGINAL_FUNCTION({0}, {1}) {2}{3}SYMREAL_ORIGINAL_OUTPUTS({4}) "
                      "SYMREAL_ORIGINAL_WRAPPER({0})",
-                     place, call, own, entry, exit);
+                     place, call_text(pragma, "::symreal_original"), own, entry, exit);
 }
 
 // Whether the diagnostic concerns rewriting only: the original compiles as it is.

@@ -110,6 +110,7 @@ struct FunctionFact {
   std::vector<Value> values;      // its parameters by value that hold numbers, and its integer ones that it uses
   std::vector<Value> parameters;  // those by value that may lie on the stack of the caller
   std::vector<std::string> leads; // access paths to objects of the caller: pointers, also in objects
+  bool is_template = false;       // an instantiation of it may have other numbers than REALs
 };
 
 struct PragmaFact {

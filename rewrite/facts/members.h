@@ -56,7 +56,7 @@ template <class Take> void visit(Take &take, ClauseFact &object)
 template <class Take> void visit(Take &take, FunctionFact::Value &object)
   SYMREAL_CONSISTS_OF(name, place)
 template <class Take> void visit(Take &take, FunctionFact &object)
-  SYMREAL_CONSISTS_OF(name, signature, brace, values, parameters, leads)
+  SYMREAL_CONSISTS_OF(name, signature, brace, values, parameters, leads, is_template)
 template <class Take> void visit(Take &take, PragmaFact &object)
   SYMREAL_CONSISTS_OF(span, continued_lines, place, display_file, is_function, configured, clauses, function,
     around, leads, loop_targets, tests_late)

@@ -174,7 +174,8 @@ private:
                       .brace = *brace,
                       .values = {},
                       .parameters = {},
-                      .leads = {}};
+                      .leads = {},
+                      .is_template = function->isDependentContext()};
     unsigned end = map_.sources().getFileOffset(map_.sources().getExpansionLoc(function->getBody()->getBeginLoc()));
     if (auto const *constructor = dyn_cast<CXXConstructorDecl>(function))
       for (CXXCtorInitializer const *initializer : constructor->inits())

@@ -28,7 +28,7 @@ std::string leads_text(std::vector<std::string> const &leads) {
   return text;
 }
 
-std::string annotation(Clause clause, ItemFact const &item) {
+std::string annotation(Clause clause, ItemFact const &item, bool is_template) {
   if (means_file(clause, item)) return "SYMREAL_FILE(" + place_arguments(item.label, item.place) + ")";
   std::string macro = info(clause).has(trait::KEPT) ? "SYMREAL_DECLARE" : "SYMREAL_OBJECT";
   std::string layout;
@@ -38,7 +38,10 @@ std::string annotation(Clause clause, ItemFact const &item) {
   }
   if (!item.sections.empty()) macro = macro == "SYMREAL_OBJECT" ? "SYMREAL_SECTION" : macro + "_SECTION";
   return macro + "(" + name_of(clause) + ", " + place_arguments(item.label, item.place) + ", " +
-         extents_argument(item) + layout + with_real(evaluated(item)) + ")";
+         extents_argument(item) + layout +
+         with_real(is_template && is_counted(clause, item) ? "::symreal::symreal_instance(" + evaluated(item) + ")"
+                                                           : evaluated(item)) +
+         ")";
 }
 
 // A private copy of a pointer-to-const's target replaces it before the kernel writes nodes there.
@@ -94,7 +97,9 @@ std::string clause_text(PragmaFact const &pragma, ClauseFact const &clause) {
     return text;
   }
   for (ItemFact const &item : clause.items)
-    if (!item.is_return) text += rebinding(clause, item) + annotation(clause.clause, item) + " ";
+    if (!item.is_return)
+      text += rebinding(clause, item) +
+              annotation(clause.clause, item, !pragma.function.empty() && pragma.function[0].is_template) + " ";
   return text;
 }
 
@@ -124,6 +129,23 @@ bool is_pointee(ItemFact const &item) {
 
 bool means_file(Clause clause, ItemFact const &item) { return clause == Clause::scratch && item.label == "file"; }
 
+bool is_counted(Clause clause, ItemFact const &item) {
+  return (info(clause).has(trait::GIVEN) || info(clause).has(trait::RESULTS)) && !item.is_return &&
+         item.layout.text.empty();
+}
+
+std::string call_text(PragmaFact const &pragma, std::string const &space) {
+  std::string call = "1", types;
+  for (ClauseFact const &clause : pragma.clauses)
+    if (clause.clause == Clause::call)
+      call = clause.argument;
+    else
+      for (ItemFact const &item : clause.items)
+        if (is_counted(clause.clause, item)) types += (types.empty() ? "decltype(" : ", decltype(") + item.base + ")";
+  if (!pragma.function[0].is_template || types.empty()) return call;
+  return "(" + space + "::symreal_call_of<" + types + ">(" + call + "))";
+}
+
 std::string layout_arguments(ObjectLayout const &layout) {
   std::string types;
   for (std::string const &type : layout.containers) types += (types.empty() ? "" : ", ") + with_real(type);
@@ -144,16 +166,15 @@ std::string region_text(PragmaFact const &pragma) {
 bool is_brace(Span const &entry) { return entry.end == entry.begin + 1; }
 
 std::string function_text(PragmaFact const &pragma) {
-  std::string entry, exit, call;
-  for (ClauseFact const &clause : pragma.clauses) {
-    if (clause.clause == Clause::call)
-      call = ", " + clause.argument;
-    else
+  std::string entry, exit;
+  for (ClauseFact const &clause : pragma.clauses)
+    if (clause.clause != Clause::call)
       (info(clause.clause).has(trait::RESULTS) ? exit : entry) += clause_text(pragma, clause);
-  }
   if (!pragma.is_kernel()) return trimmed(entry);
-  std::string text = "SYMREAL_FUNCTION(" + place_arguments(pragma.function[0].name, pragma.place) + call + ") " +
-                     entry + rebound_ends(pragma.function[0], entry);
+  std::string const call = call_text(pragma, "::symreal");
+  std::string text = "SYMREAL_FUNCTION(" + place_arguments(pragma.function[0].name, pragma.place) +
+                     (call == "1" ? "" : ", " + with_real(call)) + ") " + entry +
+                     rebound_ends(pragma.function[0], entry);
   for (FunctionFact::Value const &value : pragma.function[0].parameters) text += value_text("SYMREAL_PARAMETER", value);
   for (FunctionFact::Value const &value : pragma.function[0].values)
     if (!is_annotated(pragma, value.name)) text += value_text("SYMREAL_ARGUMENT", value);

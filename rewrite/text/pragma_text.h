@@ -23,6 +23,13 @@ bool is_pointee(ItemFact const &item);
 // Whether the item is `scratch(file)`: the static variables of the pragma's file. scratch((file)) names a variable.
 bool means_file(Clause clause, ItemFact const &item);
 
+// Whether the item's numbers are given or returned, as an object of them: in an instantiation of a template they may be
+// others than REALs.
+bool is_counted(Clause clause, ItemFact const &item);
+
+// The call of the function that is the kernel; in a template of the runtime's `space` none where it has other numbers.
+std::string call_text(PragmaFact const &pragma, std::string const &space);
+
 // Further arguments of the annotation macros of structures: `"layout", (types)`.
 std::string layout_arguments(ObjectLayout const &layout);
 

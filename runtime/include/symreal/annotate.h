@@ -77,7 +77,25 @@ using ProgramNumber = RealNumber;
 // do integers and truth values that are symbolic.
 template <class T> inline constexpr bool becomes_number =
     std::is_arithmetic_v<T> || is_symbolic_int<T> || std::is_same_v<T, SymbolicBool>;
-template <class T> using Returned = std::conditional_t<becomes_number<std::decay_t<T>>, ProgramNumber, std::decay_t<T>>;
+template <class T> inline constexpr bool is_float = std::is_same_v<std::remove_cv_t<T>, float>;
+template <class T> using Returned =
+    std::conditional_t<becomes_number<std::decay_t<T>> && !is_float<std::decay_t<T>>, ProgramNumber, std::decay_t<T>>;
+
+// Whether an object, or what it leads to, consists of floats: in an instantiation of a template that is no kernel.
+template <class T> constexpr bool is_of_floats() {
+  if constexpr (std::is_reference_v<T>)
+    return is_of_floats<std::remove_reference_t<T>>();
+  else if constexpr (std::is_pointer_v<T>)
+    return is_of_floats<std::remove_pointer_t<T>>();
+  else if constexpr (std::is_array_v<T>)
+    return is_of_floats<std::remove_all_extents_t<T>>();
+  else if constexpr (is_class<T> && requires { typename T::value_type; })
+    return is_of_floats<typename T::value_type>();
+  else
+    return is_float<T>;
+}
+// In the place of such an object.
+struct OfFloats {};
 
 // An integer of type T as a number.
 template <class T, class Value> ProgramNumber integer_number(Value const &value) {
@@ -118,6 +136,7 @@ template <class T> void walk(T &object, bool is_temporary, Extents *extents) {
   };
   if constexpr (is_number<Plain>) {
     element(const_cast<Plain *>(&object), is_temporary);
+  } else if constexpr (std::is_same_v<Plain, OfFloats>) { // it is not met
   } else if constexpr (std::is_array_v<Plain>) {
     if (extents) extents->push_back(std::extent_v<Plain>);
     for (auto &part : object) visit(part);
@@ -156,6 +175,17 @@ template <class Index, class T> decltype(auto) symreal_element(char const *name,
     if (std::ptrdiff_t const count = detail::element_count(object); count >= 0)
       detail::check_index(static_cast<std::ptrdiff_t>(index), count, name);
   return static_cast<T &&>(object)[static_cast<Index &&>(index)];
+}
+
+// The call of a template's instantiation that is the kernel; none, where objects of these types would be annotated.
+template <class... T> constexpr unsigned symreal_call_of(unsigned call) noexcept {
+  return (detail::is_of_floats<T>() || ...) ? 0 : call;
+}
+template <class T> decltype(auto) symreal_instance(T &&object) noexcept {
+  if constexpr (detail::is_of_floats<T>())
+    return detail::OfFloats();
+  else
+    return static_cast<T &&>(object);
 }
 
 template <class T> void symreal_annotate(Kind kind, char const *label, SourcePlace place, T &&object) {
@@ -324,7 +354,11 @@ public:
       place_ = place;
     } else if (active_) {
       begin_outputs();
-      symreal_annotate(Kind::output, label, place, copy);
+      if constexpr (detail::is_float<detail::Returned<T>>) {
+        detail::ProgramNumber number(copy);
+        symreal_annotate(Kind::output, label, place, number);
+      } else
+        symreal_annotate(Kind::output, label, place, copy);
       make_plain(&copy, sizeof copy);
     }
     return copy;

@@ -190,6 +190,38 @@ template <class Reference, class T> void pass(T &&element, bool is_temporary) {
   walk(element, is_temporary || !IsLvalue<Reference>::value);
 }
 
+/* In the place of an object of floats, in an instantiation of a template that is no kernel: it is not met. */
+struct OfFloats {};
+inline void look(OfFloats const &, bool, Choice<9>) {}
+template <class T> struct IsOfFloats {
+  enum { value = false };
+};
+template <> struct IsOfFloats<float> {
+  enum { value = true };
+};
+template <class T> struct IsOfFloats<T const> : IsOfFloats<T> {};
+template <class T> struct IsOfFloats<T &> : IsOfFloats<T> {};
+template <class T> struct IsOfFloats<T &&> : IsOfFloats<T> {};
+template <class T> struct IsOfFloats<T *> : IsOfFloats<T> {};
+template <class T> struct IsOfFloats<T *const> : IsOfFloats<T> {};
+template <class T, __SIZE_TYPE__ size> struct IsOfFloats<T[size]> : IsOfFloats<T> {};
+template <class T, __SIZE_TYPE__ size> struct IsOfFloats<T const[size]> : IsOfFloats<T> {};
+template <class T, bool is_of_floats = IsOfFloats<T>::value> struct Instance {
+  static T &&of(T &&object) { return static_cast<T &&>(object); }
+};
+template <class T> struct Instance<T, true> {
+  static OfFloats of(T &&) { return OfFloats(); }
+};
+template <class T> auto symreal_instance(T &&object) -> decltype(Instance<T>::of(static_cast<T &&>(object))) {
+  return Instance<T>::of(static_cast<T &&>(object));
+}
+template <class... T> unsigned symreal_call_of(unsigned call) {
+  bool const are[] = {IsOfFloats<T>::value...};
+  for (bool is : are)
+    if (is) return 0;
+  return call;
+}
+
 template <class T> auto look(T &object, bool is_temporary, Choice<7>)
     -> decltype(object.rows(), object.cols(), static_cast<void>(object(0, 0))) {
   for (decltype(object.rows() + 0) i = 0; i < object.rows(); ++i)

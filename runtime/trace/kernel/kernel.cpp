@@ -95,7 +95,7 @@ static unsigned later_call() {
 
 bool Kernel::begin_function(MakeSink make_sink, char const *name, SourcePlace place, unsigned call) {
   muted_ = true;
-  if (phase_ != Phase::none || recorded_.contains(where(place))) return false;
+  if (call == 0 || phase_ != Phase::none || recorded_.contains(where(place))) return false;
   if (++calls_[where(place)] != call + later_call()) return false;
   muted_ = false;
   begin(make_sink, name, place);
