@@ -74,9 +74,12 @@ private:
     FunctionTemplateDecl const *primary = function->getPrimaryTemplate();
     bool const is_pattern = primary && index < primary->getTemplatedDecl()->getNumParams();
     if (is_pattern && primary->getTemplatedDecl()->getParamDecl(index)->getType()->isDependentType()) return;
-    QualType const parameter = function->getParamDecl(index)->getType().getNonReferenceType();
+    if (Reals::is_double(function->getParamDecl(index)->getType())) return;
     Expr const *written = Reals::spelled_integer(argument)->IgnoreParenImpCasts();
-    wrap(written, Use::argument, spelled(parameter->isArithmeticType() ? parameter : written->getType()));
+    if (instance_) // in another it may be a number
+      wrap(written, Use::erased);
+    else
+      wrap(written, Use::conversion, spelled(written->getType()));
   }
 
   // std::max<long>(i, x > 1): of the overloads for symbolic integers none is better than the others.

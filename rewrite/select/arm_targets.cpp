@@ -199,9 +199,7 @@ void ArmWalker::add_target(Expr const *target) {
     std::optional<Span> const part = analysis_.map_.range_in(allowed_.frame, arm->getSourceRange());
     if (!part || part->file != span->file || part->begin < span->begin || part->end > span->end)
       return block(place, {ReasonId::assigned_by_macro});
-    PrintingPolicy const policy(analysis_.map_.language());
-    conversions.push_back({part->begin - span->begin, part->end - span->begin,
-                           "SYMREAL_REAL_TO(" + arm->getType().getUnqualifiedType().getAsString(policy) + ", ", ")"});
+    conversions.push_back({part->begin - span->begin, part->end - span->begin, "SYMREAL_REAL_ERASED(", ")"});
   }
   std::string const original = analysis_.map_.text_in(allowed_.frame, *span);
   std::string const text = with_real(normalised(apply_edits(original, compose(original, conversions))));

@@ -260,26 +260,25 @@ void DecisionCollector::choose_value(ConditionalOperator const *choice) {
   counted_arms(choice);
 }
 
-// An arm that counts truth values of numbers, in a `?:` that stays one.
+// An arm that counts truth values of numbers, in a `?:` that stays one: in another instantiation it may be a number.
 void DecisionCollector::counted_arms(ConditionalOperator const *choice) {
   if (!choice->getType()->isIntegerType() || choice->isTypeDependent()) return;
   Expr const *yes = Reals::spelled_integer(choice->getTrueExpr()), *no = Reals::spelled_integer(choice->getFalseExpr());
   auto const counts = [this](Expr const *arm) { return isa<BinaryOperator>(arm) && reals_.may_be_symbolic(arm); };
   bool const are_one_type = context_.hasSameUnqualifiedType(yes->getType(), no->getType());
   for (auto const &[arm, other] : {std::pair(yes, no), std::pair(no, yes)})
-    if (counts(arm) && !reals_.is_symbolic_integer(arm) && !(counts(other) && are_one_type)) make_integer(arm);
+    if (counts(arm) && !reals_.is_symbolic_integer(arm) && !(counts(other) && are_one_type))
+      if (std::optional<Span> const span = map_.range(arm->getSourceRange()); span && map_.in_roots(arm->getBeginLoc()))
+        facts_.wraps.insert({*span, Use::erased, ""});
 }
 
 // An integer cannot be an alternative to a symbolic one, such as a `?:` that has become a select.
 void DecisionCollector::make_plain(Expr const *arm) {
-  if (auto const *inner = dyn_cast<ConditionalOperator>(Reals::spelled_integer(arm))) make_integer(inner);
-}
-
-void DecisionCollector::make_integer(Expr const *arm) {
-  std::optional<Span> const span = map_.range(arm->getSourceRange());
-  if (!span || !map_.in_roots(arm->getBeginLoc())) return;
+  auto const *inner = dyn_cast<ConditionalOperator>(Reals::spelled_integer(arm));
+  std::optional<Span> const span = inner ? map_.range(inner->getSourceRange()) : std::nullopt;
+  if (!span || !map_.in_roots(inner->getBeginLoc())) return;
   PrintingPolicy const policy(map_.language());
-  facts_.wraps.insert({*span, Use::conversion, arm->getType().getUnqualifiedType().getAsString(policy)});
+  facts_.wraps.insert({*span, Use::conversion, inner->getType().getUnqualifiedType().getAsString(policy)});
 }
 
 // Whether the choice can become a select. `yes`, `no`: whether the arms are symbolic integers.

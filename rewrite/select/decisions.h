@@ -53,7 +53,6 @@ private:
   bool select_value(clang::ConditionalOperator const *choice, bool becomes, bool yes, bool no);
   void make_plain(clang::Expr const *arm);
   void counted_arms(clang::ConditionalOperator const *choice);
-  void make_integer(clang::Expr const *arm);
   bool becomes_number(clang::ConditionalOperator const *choice) const;
   bool is_symbolic_integer(clang::Expr const *arm, bool becomes_number) const;
   bool is_lvalue_used(clang::ConditionalOperator const *choice) const;

@@ -33,8 +33,7 @@ template <class T> [[gnu::always_inline]] constexpr auto symreal_fit(T const &va
 template <class To, class From>
 [[gnu::always_inline]] constexpr decltype(auto) symreal_argument_as(From &&value) noexcept {
   using Plain = std::remove_cvref_t<From>;
-  if constexpr (std::is_same_v<Plain, RealNumber> || std::is_same_v<Plain, SymbolicBool> ||
-                detail::is_symbolic_int<Plain>)
+  if constexpr (std::is_same_v<Plain, RealNumber> || std::is_same_v<Plain, SymbolicBool>)
     return static_cast<To>(value);
   else
     return static_cast<From &&>(value);
