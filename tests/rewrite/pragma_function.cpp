@@ -10,7 +10,7 @@ struct Arm {
 #pragma symreal function input(q[0:n]) parameter(m) output(return) call(2)
 // Comments may stand between.
 template <class T>
-// CHECK: T Arm::torque(T const *q, int n) { SYMREAL_FUNCTION("torque", "pragma_function.cpp", [[@LINE-3]], 1, 2) SYMREAL_REBIND(q, 0, n) SYMREAL_SECTION(input, "q[0:n]", {{.*}}) SYMREAL_OBJECT(parameter, "m", "pragma_function.cpp", [[@LINE-3]], 50, m) SYMREAL_ARGUMENT("n", "pragma_function.cpp:[[@LINE+1]]:31", n) SYMREAL_LEADS(q) SYMREAL_LEADS(this) SYMREAL_OUTPUTS_BEGIN SYMREAL_OUTPUTS_END{{$}}
+// CHECK: T Arm::torque(T const *q, int n) { SYMREAL_FUNCTION("torque", "pragma_function.cpp", [[@LINE-3]], 1, (::symreal::symreal_call_of<decltype(q), decltype(m)>(2))) SYMREAL_REBIND(q, 0, n) SYMREAL_SECTION(input, "q[0:n]", {{.*}}) SYMREAL_OBJECT(parameter, "m", "pragma_function.cpp", [[@LINE-3]], 50, ::symreal::symreal_instance(m)) SYMREAL_ARGUMENT("n", "pragma_function.cpp:[[@LINE+1]]:31", n) SYMREAL_LEADS(q) SYMREAL_LEADS(this) SYMREAL_OUTPUTS_BEGIN SYMREAL_OUTPUTS_END{{$}}
 T Arm::torque(T const *q, int n) {
   auto twice = [](T x) { return x + x; };
   // CHECK: if (n == 0) return SYMREAL_RETURN("return", "pragma_function.cpp", [[@LINE-6]], 60, REAL_READ({{.*}}, m));
