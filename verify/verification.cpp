@@ -44,8 +44,16 @@ bool is_untouched(std::vector<double> const &outputs) {
                      [](double value) { return std::bit_cast<std::uint64_t>(value) == GeneratedCode::untouched; });
 }
 
-// Does the code's guard have the text of this guard of the graph?
-bool is_text_of(GuardCheck const &check, Guard const &guard) { return check.text.find(guard.text) != check.text.npos; }
+// Does the code's guard, as guard_text of emit writes it, have the text of this guard of the graph? A part of its
+// text may be the text of another guard.
+bool is_text_of(GuardCheck const &check, Guard const &guard) {
+  std::string_view const text = check.text;
+  for (std::size_t at = text.find(guard.text); at != text.npos; at = text.find(guard.text, at + 1)) {
+    std::string_view const before = text.substr(0, at), after = text.substr(at + guard.text.size());
+    if ((before.empty() || before.ends_with(": ")) && (after.empty() || after.starts_with(", in "))) return true;
+  }
+  return false;
+}
 
 // May the code return this guard if `failing` is the graph's first guard that does not hold?
 bool is_expected(Graph const &graph, std::size_t failing, GuardCheck const &returned,
