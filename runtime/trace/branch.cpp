@@ -12,15 +12,15 @@
 
 namespace symreal {
 
-std::vector<RealNumber> Targets::values() const {
-  std::vector<RealNumber> values;
+List<RealNumber> Targets::values() const {
+  List<RealNumber> values;
   values.reserve(numbers_.size());
   for (RealNumber const *number : numbers_) values.push_back(*number);
   return values;
 }
 
-std::vector<std::size_t> Targets::foreign() const {
-  std::vector<std::size_t> foreign;
+List<std::size_t> Targets::foreign() const {
+  List<std::size_t> foreign;
   if (!detail::recording) return foreign;
   trace::Pause const pause;
   for (std::size_t k = 0; k < numbers_.size(); ++k)
@@ -28,15 +28,15 @@ std::vector<std::size_t> Targets::foreign() const {
   return foreign;
 }
 
-std::vector<bool> Targets::take_written(std::vector<std::size_t> const &foreign) const {
+List<bool> Targets::take_written(List<std::size_t> const &foreign) const {
   trace::Pause const pause;
-  std::vector<bool> written;
+  List<bool> written;
   for (std::size_t k : foreign) written.push_back(trace::session().state.take_written(numbers_[k]));
   return written;
 }
 
-void Targets::keep(std::vector<std::size_t> const &foreign, std::vector<bool> const &written_before,
-                   std::vector<RealNumber> const &values) const {
+void Targets::keep(List<std::size_t> const &foreign, List<bool> const &written_before,
+                   List<RealNumber> const &values) const {
   trace::Pause const pause;
   trace::State &state = trace::session().state;
   for (std::size_t k = 0; k < foreign.size(); ++k) {
@@ -49,18 +49,18 @@ void Targets::keep(std::vector<std::size_t> const &foreign, std::vector<bool> co
   }
 }
 
-void Targets::restore(std::vector<RealNumber> const &values) const {
+void Targets::restore(List<RealNumber> const &values) const {
   for (std::size_t k = 0; k < numbers_.size(); ++k) *numbers_[k] = values[k];
 }
 
 void Level::has_returned(SymbolicBool condition) {
-  rest.reset(); // the condition is that of the level's own path
+  rest.end(); // the condition is that of the level's own path
   returned = returned | condition;
-  rest.emplace(!returned);
+  rest.begin(!returned);
 }
 
 Returned Returns::symreal_result() {
-  body_.rest.reset();
+  body_.rest.end();
   if (!kernel_) return {result_, plain_};
   kernel_->defer_returned(false);
   return {kernel_->deferred(result_), plain_};
@@ -78,7 +78,7 @@ Branch::~Branch() {
 }
 
 void Branch::enter(SymbolicBool condition) {
-  path_.emplace(condition);
+  path_.begin(condition);
   if (!returns_) return;
   outer_ = returns_->level_;
   level_.path = outer_->path & condition;
@@ -88,8 +88,8 @@ void Branch::enter(SymbolicBool condition) {
 
 // The condition, within the arm, under which it returned.
 SymbolicBool Branch::leave() {
-  level_.rest.reset();
-  path_.reset();
+  level_.rest.end();
+  path_.end();
   if (!returns_) return SymbolicBool(false);
   returns_->level_ = outer_;
   outer_ = nullptr;
@@ -122,13 +122,13 @@ void Branch::end_else() {
 }
 
 void Loop::narrow(SymbolicBool condition) {
-  path_.reset();
+  path_.end();
   active_ = active_ & condition;
-  if (active_.is_symbolic()) path_.emplace(active_);
+  if (active_.is_symbolic()) path_.begin(active_);
 }
 
 void Loop::stop() {
-  path_.reset();
+  path_.end();
   bool const is_hypothetical = trace::session().path.is_hypothetical();
   bool const goes_on = !active_.is_symbolic() || detail::carried_value(active_.condition()) != 0;
   if (goes_on && (!is_hypothetical || !active_.is_symbolic()))

@@ -7,9 +7,9 @@
 #endif
 
 #ifdef SYMREAL_BEFORE_CXX20
+#include <bits/allocator.h> // <memory> has much more
 #include <cstddef>
 #include <cstdint>
-#include <string> // which has std::allocator; <memory> has much more
 #include <type_traits>
 #include <utility>
 

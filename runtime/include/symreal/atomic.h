@@ -3,8 +3,7 @@
 #pragma once
 
 #include <symreal/real_number.h>
-
-#include <atomic>
+#include <symreal/standard_templates.h>
 
 namespace symreal {
 
@@ -20,26 +19,25 @@ template <class Self> class AtomicNumber {
 public:
   using value_type = RealNumber;
   using difference_type = RealNumber;
-  static constexpr bool is_always_lock_free = std::atomic<std::uint64_t>::is_always_lock_free;
+  static constexpr bool is_always_lock_free = __atomic_always_lock_free(sizeof(RealNumber), nullptr);
 
   bool is_lock_free() const noexcept { return is_always_lock_free; }
-  RealNumber load(std::memory_order = std::memory_order_seq_cst) const noexcept {
+  RealNumber load(std::memory_order = {}) const noexcept {
     RealNumber value(0.0);
     __atomic_load(address(), &value, __ATOMIC_SEQ_CST);
     return value;
   }
   operator RealNumber() const noexcept { return load(); }
-  void store(RealNumber value, std::memory_order = std::memory_order_seq_cst) const noexcept {
+  void store(RealNumber value, std::memory_order = {}) const noexcept {
     __atomic_store(address(), &value, __ATOMIC_SEQ_CST);
   }
-  RealNumber exchange(RealNumber value, std::memory_order = std::memory_order_seq_cst) const noexcept {
+  RealNumber exchange(RealNumber value, std::memory_order = {}) const noexcept {
     RealNumber old(0.0);
     __atomic_exchange(address(), &value, &old, __ATOMIC_SEQ_CST);
     return old;
   }
-  [[gnu::always_inline]] bool compare_exchange_strong(RealNumber &expected, RealNumber value,
-                                                      std::memory_order = std::memory_order_seq_cst,
-                                                      std::memory_order = std::memory_order_seq_cst) const noexcept {
+  [[gnu::always_inline]] bool compare_exchange_strong(RealNumber &expected, RealNumber value, std::memory_order = {},
+                                                      std::memory_order = {}) const noexcept {
     RealNumber stored = load();
     do
       if (!is_exchanged(stored, expected)) {
@@ -49,20 +47,17 @@ public:
     while (!replace(stored, value));
     return true;
   }
-  [[gnu::always_inline]] bool compare_exchange_weak(RealNumber &expected, RealNumber value,
-                                                    std::memory_order = std::memory_order_seq_cst,
-                                                    std::memory_order = std::memory_order_seq_cst) const noexcept {
+  [[gnu::always_inline]] bool compare_exchange_weak(RealNumber &expected, RealNumber value, std::memory_order = {},
+                                                    std::memory_order = {}) const noexcept {
     return compare_exchange_strong(expected, value);
   }
-  [[gnu::always_inline]] RealNumber fetch_add(RealNumber value,
-                                              std::memory_order = std::memory_order_seq_cst) const noexcept {
+  [[gnu::always_inline]] RealNumber fetch_add(RealNumber value, std::memory_order = {}) const noexcept {
     RealNumber stored = load();
     while (!replace(stored, stored + value)) {
     }
     return stored;
   }
-  [[gnu::always_inline]] RealNumber fetch_sub(RealNumber value,
-                                              std::memory_order = std::memory_order_seq_cst) const noexcept {
+  [[gnu::always_inline]] RealNumber fetch_sub(RealNumber value, std::memory_order = {}) const noexcept {
     RealNumber stored = load();
     while (!replace(stored, stored - value)) {
     }

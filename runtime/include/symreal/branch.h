@@ -5,12 +5,11 @@
 
 #include <symreal/annotate.h>
 #include <symreal/decisions.h>
+#include <symreal/list.h>
 #include <symreal/symbolic_int.h>
 #include <symreal/truth.h>
 
 #include <cstring>
-#include <optional>
-#include <vector>
 
 namespace symreal {
 
@@ -98,18 +97,17 @@ public:
   }
 
   bool has_others() const noexcept { return has_others_; }
-  std::vector<RealNumber> values() const;
+  List<RealNumber> values() const;
   // Indices of the targets that outlive the kernel and that it has not met yet: their values are not the kernel's.
-  std::vector<std::size_t> foreign() const;
+  List<std::size_t> foreign() const;
   // Flags the targets that were written since; they count as not met again.
-  std::vector<bool> take_written(std::vector<std::size_t> const &foreign) const;
+  List<bool> take_written(List<std::size_t> const &foreign) const;
   // One arm alone has written these, or they were written and may keep their former value: it is part of the result.
-  void keep(std::vector<std::size_t> const &foreign, std::vector<bool> const &written_before,
-            std::vector<RealNumber> const &values) const;
-  void restore(std::vector<RealNumber> const &values) const;
+  void keep(List<std::size_t> const &foreign, List<bool> const &written_before, List<RealNumber> const &values) const;
+  void restore(List<RealNumber> const &values) const;
   // Assigns select(condition, yes, no) to each target.
-  [[gnu::always_inline]] void merge(SymbolicBool condition, std::vector<RealNumber> const &yes,
-                                    std::vector<RealNumber> const &no) const {
+  [[gnu::always_inline]] void merge(SymbolicBool condition, List<RealNumber> const &yes,
+                                    List<RealNumber> const &no) const {
     std::size_t k = 0;
     for (Integer const &integer : integers_) {
       for (; k < integer.first; ++k) merge_number(k, condition, yes, no);
@@ -137,13 +135,13 @@ private:
          }});
     for (std::size_t k = 0; k < words; ++k) numbers_.push_back(reinterpret_cast<RealNumber *>(&object) + k);
   }
-  [[gnu::always_inline]] void merge_number(std::size_t k, SymbolicBool condition, std::vector<RealNumber> const &yes,
-                                           std::vector<RealNumber> const &no) const {
+  [[gnu::always_inline]] void merge_number(std::size_t k, SymbolicBool condition, List<RealNumber> const &yes,
+                                           List<RealNumber> const &no) const {
     *numbers_[k] = yes[k].to_bits() == no[k].to_bits() ? yes[k] : select(condition, yes[k], no[k]);
   }
 
-  std::vector<RealNumber *> numbers_;
-  std::vector<Integer> integers_; // among them
+  List<RealNumber *> numbers_;
+  List<Integer> integers_; // among them
   bool has_others_ = false;
 };
 
@@ -151,7 +149,7 @@ private:
 struct Level {
   SymbolicBool path{true};      // path condition of the statements, from the function's entry
   SymbolicBool returned{false}; // condition under which one of them has returned
-  std::optional<PathScope> rest;
+  OpenPathScope rest;
 
   void has_returned(SymbolicBool condition);
 };
@@ -219,7 +217,7 @@ private:
   FunctionKernel *kernel_ = nullptr;
   Level body_;
   Level *level_ = &body_;
-  std::vector<Noted> noted_;
+  List<Noted> noted_;
   RealNumber result_{0.0};
   long double plain_ = 0;
 };
@@ -279,10 +277,10 @@ private:
   bool is_select_ = false, outcome_ = false;
   int stage_ = 0;
   Targets targets_;
-  std::vector<RealNumber> before_, then_values_;
-  std::vector<std::size_t> foreign_;
-  std::vector<bool> then_written_;
-  std::optional<PathScope> path_;
+  List<RealNumber> before_, then_values_;
+  List<std::size_t> foreign_;
+  List<bool> then_written_;
+  OpenPathScope path_;
   Returns *returns_ = nullptr;
   Level *outer_ = nullptr;
   Level level_;
@@ -321,7 +319,7 @@ public:
 private:
   [[gnu::always_inline]] void settle() {
     if (active_.is_symbolic()) {
-      if (!foreign_.empty()) targets_.keep(foreign_, std::vector<bool>(foreign_.size(), false), saved_);
+      if (!foreign_.empty()) targets_.keep(foreign_, List<bool>(foreign_.size(), false), saved_);
       targets_.merge(active_, targets_.values(), saved_);
     }
     save();
@@ -337,10 +335,10 @@ private:
 
   unsigned limit_, runs_;
   Targets targets_;
-  std::vector<RealNumber> saved_;
-  std::vector<std::size_t> foreign_;
+  List<RealNumber> saved_;
+  List<std::size_t> foreign_;
   SymbolicBool active_{true};
-  std::optional<PathScope> path_;
+  OpenPathScope path_;
 };
 
 } // namespace symreal

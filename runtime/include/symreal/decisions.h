@@ -4,6 +4,8 @@
 
 #include <symreal/real_number.h>
 
+#include <new>
+
 namespace symreal {
 
 enum class Decisions {
@@ -53,6 +55,31 @@ public:
 
 private:
   RealNumber before_;
+};
+
+// Such a scope, which need not end with the block that it began in.
+class OpenPathScope {
+public:
+  OpenPathScope() noexcept {}
+  OpenPathScope(OpenPathScope const &) = delete;
+  OpenPathScope &operator=(OpenPathScope const &) = delete;
+  ~OpenPathScope() { end(); }
+
+  // Requires that it has ended.
+  void begin(SymbolicBool condition) noexcept {
+    new (&scope_) PathScope(condition);
+    is_open_ = true;
+  }
+  void end() noexcept {
+    if (is_open_) scope_.~PathScope();
+    is_open_ = false;
+  }
+
+private:
+  union {
+    PathScope scope_;
+  };
+  bool is_open_ = false;
 };
 
 // Makes the condition a guard of the kernel: it must hold whenever the generated code is run, on the current path.

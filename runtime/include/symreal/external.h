@@ -8,7 +8,6 @@
 #include <symreal/symbolic_int.h>
 
 #include <cstddef>
-#include <tuple>
 #include <type_traits>
 #include <utility>
 
@@ -96,6 +95,18 @@ template <class T> T pass(ExternalCall &call, Traced<T> argument) {
   }
 }
 
+// A call whose arguments are computed in order, since they stand in braces.
+template <class Result> struct Called {
+  template <class Function, class... Passed> explicit Called(Function *function, Passed... passed)
+      : result(function(passed...)) {}
+  Result result;
+};
+template <> struct Called<void> {
+  template <class Function, class... Passed> explicit Called(Function *function, Passed... passed) {
+    function(passed...);
+  }
+};
+
 } // namespace detail
 
 template <class Result, class... Parameters> class ExternalFunction {
@@ -107,20 +118,17 @@ public:
   [[gnu::always_inline]] auto operator()(detail::Traced<Parameters>... arguments) const {
     detail::ExternalCall call(description_, detail::here());
     (call.note(detail::integer_in(arguments)), ...);
-    std::tuple<Parameters...> const passed{detail::pass<Parameters>(call, arguments)...}; // braces: in order
+    detail::Called<Result> called{function_, detail::pass<Parameters>(call, arguments)...};
     if constexpr (std::is_void_v<Result>) {
-      std::apply(function_, passed);
       call.returned();
     } else if constexpr (detail::is_class<Result>) {
-      Result result = std::apply(function_, passed);
-      call.returned(&result, sizeof result / sizeof(double));
-      return result;
+      call.returned(&called.result, sizeof called.result / sizeof(double));
+      return called.result;
     } else if constexpr (std::is_same_v<Result, double>) {
-      return call.returned(std::apply(function_, passed));
+      return call.returned(called.result);
     } else {
-      Result const plain = std::apply(function_, passed);
-      RealNumber const returned = call.returned(static_cast<double>(plain));
-      return returned.is_node() ? SymbolicInt<Result>::from_number(returned) : SymbolicInt<Result>(plain);
+      RealNumber const returned = call.returned(static_cast<double>(called.result));
+      return returned.is_node() ? SymbolicInt<Result>::from_number(returned) : SymbolicInt<Result>(called.result);
     }
   }
 

@@ -3,8 +3,8 @@
 #pragma once
 
 #include <symreal/real_math.h>
+#include <symreal/standard_templates.h>
 
-#include <algorithm>
 #include <initializer_list>
 
 namespace symreal {

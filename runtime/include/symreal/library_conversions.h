@@ -3,12 +3,12 @@
 // `SymrealReturning<int>() ->* f`, since the operator takes the rest of the expression unchanged.
 #pragma once
 
+#include <symreal/standard_templates.h>
 #ifdef MBD_SYMBOLIC
 #include <symreal/state.h>
 #endif
 
 #include <cstddef>
-#include <iterator>
 #include <type_traits>
 
 namespace symreal {

@@ -4,7 +4,6 @@
 #include <symreal/real_math.h>
 
 #include <cmath>
-#include <numeric>
 #include <type_traits>
 
 #ifdef __GLIBCXX__
@@ -17,8 +16,12 @@ template <> struct __gnu_cxx::__promote<symreal::RealNumber> {
 
 namespace symreal {
 
+namespace detail {
+double midpoint(double a, double b) noexcept;
+} // namespace detail
+
 inline RealNumber midpoint(RealNumber a, RealNumber b) noexcept {
-  if (!a.is_node() && !b.is_node()) return std::midpoint(a.plain(), b.plain());
+  if (!a.is_node() && !b.is_node()) return detail::midpoint(a.plain(), b.plain());
   RealNumber const small = std::numeric_limits<double>::min() * 2, large = std::numeric_limits<double>::max() / 2;
   RealNumber const half_a = a / 2.0, half_b = b / 2.0;
   return select((abs(a) <= large) & (abs(b) <= large), (a + b) / 2.0,

@@ -3,7 +3,6 @@
 
 #include <symreal/real_number.h>
 
-#include <algorithm>
 #include <cstdlib>
 #include <limits>
 
@@ -48,7 +47,7 @@ inline RealNumber nearbyint(RealNumber x) noexcept { return rint(x); }
 // In steps where one power of two would overflow or vanish; what a step of 2^-1022 rounds, the rest takes to zero.
 inline RealNumber ldexp(RealNumber x, int exponent) noexcept {
   constexpr int most = 1023, least = -1074, step = 1022, beyond = 4000;
-  exponent = std::clamp(exponent, -beyond, beyond);
+  exponent = exponent < -beyond ? -beyond : beyond < exponent ? beyond : exponent;
   RealNumber product = x;
   for (; exponent > most; exponent -= most) product = product * RealNumber(std::ldexp(1.0, most));
   for (; exponent < least; exponent += step) product = product * RealNumber(std::ldexp(1.0, -step));

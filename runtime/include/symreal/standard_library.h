@@ -5,12 +5,11 @@
 #include <symreal/complex.h>
 #include <symreal/extremes.h>
 #include <symreal/real_math.h>
+#include <symreal/standard_templates.h>
 #include <symreal/text.h>
 
 #include <cstddef>
 #include <limits>
-#include <ostream>
-#include <string>
 
 namespace symreal::types {
 // Prints the carried value.
@@ -18,6 +17,13 @@ std::ostream &operator<<(std::ostream &out, RealNumber x);
 std::ostream &operator<<(std::ostream &out, SymbolicBool x);
 std::istream &operator>>(std::istream &in, RealNumber &x);
 } // namespace symreal::types
+
+namespace symreal::detail {
+std::size_t hash(double number) noexcept;
+// Prints as std::to_string does, and returns the length.
+constexpr std::size_t longest_number = 400;
+std::size_t print_number(RealNumber x, char (&text)[longest_number]) noexcept;
+} // namespace symreal::detail
 
 namespace std {
 
@@ -39,14 +45,13 @@ public:
 
 template <> struct hash<symreal::RealNumber> {
   // Equal numbers have equal hashes, and the lookup is a decision like any comparison.
-  size_t operator()(symreal::RealNumber x) const noexcept { return hash<double>()(static_cast<double>(x)); }
+  size_t operator()(symreal::RealNumber x) const noexcept { return symreal::detail::hash(static_cast<double>(x)); }
 };
 
-inline string to_string(symreal::RealNumber x) {
-  if (!x.is_node()) return to_string(x.plain());
-  string text = to_string(symreal::detail::needed_value(x));
-  symreal::detail::made_string(text, x);
-  return text;
+// A template, since the class may be defined later.
+template <class String = string> String to_string(symreal::RealNumber x) {
+  char text[symreal::detail::longest_number];
+  return String(text, symreal::detail::print_number(x, text));
 }
 
 } // namespace std

@@ -9,7 +9,6 @@
 
 #include <symreal/annotate.h>
 
-#include <algorithm>
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
@@ -481,7 +480,7 @@ private:
   void check_ends(void const volatile *from, std::size_t size) const noexcept {
     auto const *begin = static_cast<char const *>(detail::bytes_of(from));
     std::size_t const before = (0 - reinterpret_cast<std::uintptr_t>(begin)) % sizeof(RealNumber);
-    if (before != 0) detail::check_part(begin, 0, 8 * std::min(before, size), name_, place_);
+    if (before != 0) detail::check_part(begin, 0, 8 * (before < size ? before : size), name_, place_);
     if (before >= size) return;
     std::size_t const behind = (size - before) % sizeof(RealNumber);
     if (behind != 0) detail::check_part(begin + size - behind, 0, 8 * behind, name_, place_);

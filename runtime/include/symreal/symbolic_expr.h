@@ -3,8 +3,8 @@
 
 #include <symreal/real_number.h>
 
+#include <cstddef>
 #include <iosfwd>
-#include <string>
 
 namespace symreal {
 

@@ -265,7 +265,7 @@ namespace types {
 template <class Character, class Traits, class T>
 std::basic_ostream<Character, Traits> &operator<<(std::basic_ostream<Character, Traits> &out, SymbolicInt<T> x) {
   if constexpr (std::is_same_v<Character, char>)
-    if (x.is_symbolic()) detail::made_stream(out, std::to_string(static_cast<long long>(symreal_value(x))), x.number());
+    if (x.is_symbolic()) detail::made_stream(out, static_cast<long long>(symreal_value(x)), x.number());
   return out << symreal_value(x);
 }
 } // namespace types

@@ -4,16 +4,16 @@
 #pragma once
 
 #include <symreal/real_number.h>
+#include <symreal/standard_templates.h>
 
+#ifndef SYMREAL_SOURCE_OF_C
 #include <charconv>
+#endif
 #include <cstdarg>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <istream>
-#include <string>
-#include <string_view>
 
 namespace symreal {
 
@@ -39,32 +39,40 @@ void made_length(Shown value, char const *used_at) noexcept;
 class ListText {
 public:
   ListText(char const *format, std::va_list list) {
-    if (recording) value_ = print(format, list, text_);
+    if (recording) print(format, list);
   }
+  ListText(ListText const &) = delete;
+  ListText &operator=(ListText const &) = delete;
+  ~ListText() { ::operator delete(text_); }
   explicit operator bool() const noexcept { return value_.number != 0; }
   Shown value() const noexcept { return value_; }
-  std::string const &text() const noexcept { return text_; }
-  int length() const noexcept { return static_cast<int>(text_.size()); }
+  char const *text() const noexcept { return text_; }
+  std::size_t size() const noexcept { return size_; }
+  int length() const noexcept { return static_cast<int>(size_); }
   int copy(char *to, std::size_t size) const noexcept {
     if (size == 0) return length();
-    std::size_t const copied = text_.size() < size ? text_.size() : size - 1;
-    std::memcpy(to, text_.data(), copied);
+    std::size_t const copied = size_ < size ? size_ : size - 1;
+    std::memcpy(to, text_, copied);
     to[copied] = '\0';
     return length();
   }
 
 private:
-  static Shown print(char const *format, std::va_list list, std::string &text);
+  void print(char const *format, std::va_list list);
 
-  std::string text_;
+  char *text_ = nullptr;
+  std::size_t size_ = 0;
   Shown value_;
 };
 // The symbolic value that the text, or a part of it, shows, if any.
 Shown value_in(char const *text, std::size_t size) noexcept;
 
 // Notes that text of x, if symbolic, went into a string or a stream.
-void made_string(std::string_view text, RealNumber x) noexcept;
-void made_stream(std::ios const &stream, std::string_view text, RealNumber x) noexcept;
+void made_string(char const *text, std::size_t size, RealNumber x) noexcept;
+void made_stream(std::ios const &stream, long long integer, RealNumber x) noexcept;
+// Such text, as it is printed.
+void made_printed(RealNumber x, char const *format, ...) noexcept;
+void made_list(RealNumber x, char const *format, std::va_list list) noexcept;
 
 void read_character(char const *character, char const *name, char const *place) noexcept;
 void read_text(char const *text, std::size_t size, char const *name, char const *place) noexcept;
@@ -74,7 +82,10 @@ void read_stream(std::ios const &stream, char const *name, char const *place) no
 template <class T> inline constexpr bool is_text_character =
     std::is_integral_v<T> && sizeof(T) == 1 && !std::is_same_v<std::remove_cv_t<T>, bool>;
 
-template <class T> inline constexpr bool is_string = std::is_class_v<T> && std::is_convertible_v<T &, std::string_view>;
+// The type is incomplete until the program includes <string_view>, or <string>; nothing converts to it then.
+using StringView = std::basic_string_view<char, std::char_traits<char>>;
+template <class T> inline constexpr bool is_string =
+    std::is_class_v<T> && requires(T &text, void (&take)(StringView)) { take(text); };
 
 template <class T> char const *characters(T *text) noexcept {
   return reinterpret_cast<char const *>(const_cast<std::remove_cv_t<T> *>(text));
@@ -85,6 +96,10 @@ template <class T> Shown value_of(T const &object) noexcept {
     if constexpr (is_text_character<std::remove_pointer_t<T>>)
       if (has_text && object) return value_in(characters(object), std::strlen(characters(object)));
   return {};
+}
+
+template <class View> void read_view(View const view, char const *name, char const *place) noexcept {
+  read_text(view.data(), view.size(), name, place);
 }
 
 template <class T> void look_at(T &object, char const *name, char const *place) noexcept {
@@ -105,9 +120,8 @@ template <class T> void look_at(T &object, char const *name, char const *place) 
     read_character(characters(&object), name, place);
   } else if constexpr (std::is_convertible_v<T &, std::ios const &>) {
     read_stream(object, name, place);
-  } else if constexpr (std::is_convertible_v<T &, std::string_view>) {
-    std::string_view const view = object;
-    read_text(view.data(), view.size(), name, place);
+  } else if constexpr (is_string<T>) {
+    read_view<StringView>(object, name, place);
   }
 }
 
@@ -156,7 +170,7 @@ public:
   }
   int symreal_print_vsprintf(char *to, char const *format, std::va_list list) const {
     if (detail::ListText const list_text(format, list); list_text)
-      return made(to, list_text.copy(to, list_text.text().size() + 1), list_text.value());
+      return made(to, list_text.copy(to, list_text.size() + 1), list_text.value());
     return made(to, std::vsprintf(to, format, list), listed());
   }
   int symreal_print_vsnprintf(char *to, std::size_t size, char const *format, std::va_list list) const {
@@ -171,8 +185,8 @@ public:
   }
   int symreal_print_vasprintf(char **to, char const *format, std::va_list list) const {
     if (detail::ListText const list_text(format, list); list_text) {
-      *to = static_cast<char *>(std::malloc(list_text.text().size() + 1));
-      return *to ? made(*to, list_text.copy(*to, list_text.text().size() + 1), list_text.value()) : -1;
+      *to = static_cast<char *>(std::malloc(list_text.size() + 1));
+      return *to ? made(*to, list_text.copy(*to, list_text.size() + 1), list_text.value()) : -1;
     }
     int const length = ::vasprintf(to, format, list);
     return made(*to, length, listed());
@@ -182,8 +196,8 @@ public:
   }
   int symreal_print_vdprintf(int file, char const *format, std::va_list list) const {
     if (detail::ListText const list_text(format, list); list_text) {
-      detail::made_string(list_text.text(), RealNumber::from_bits(list_text.value().number));
-      return written(list_text.value(), ::dprintf(file, "%s", list_text.text().c_str()));
+      detail::made_string(list_text.text(), list_text.size(), RealNumber::from_bits(list_text.value().number));
+      return written(list_text.value(), ::dprintf(file, "%s", list_text.text()));
     }
     said_list(format, list);
     return written(listed(), ::vdprintf(file, format, list));
@@ -193,11 +207,13 @@ public:
     return copied(to, to, detail::shown);
   }
 #endif
+#ifndef SYMREAL_SOURCE_OF_C
   template <class... T> std::to_chars_result symreal_print_to_chars(char *first, char *last, T... values) const {
     std::to_chars_result const result = std::to_chars(first, last, values...);
     made(first, static_cast<int>(result.ptr - first), detail::shown);
     return result;
   }
+#endif
 
   template <class... T> int symreal_print_printf(char const *format, T... values) const {
     return written(value(values...), std::printf(format, values...));
@@ -213,7 +229,7 @@ public:
   int symreal_print_vfprintf(std::FILE *file, char const *format, std::va_list list) const {
     if (detail::ListText const list_text(format, list); list_text) {
       if (is_file(file)) {
-        detail::made_string(list_text.text(), RealNumber::from_bits(list_text.value().number));
+        detail::made_string(list_text.text(), list_text.size(), RealNumber::from_bits(list_text.value().number));
         detail::made_file(file, list_text.value());
       }
       return put(list_text, file);
@@ -295,29 +311,18 @@ private:
   }
 
   int put(detail::ListText const &list, std::FILE *file) const {
-    std::string const &text = list.text();
-    return written(list.value(), std::fwrite(text.data(), 1, text.size(), file) == text.size() ? list.length() : -1);
+    bool const is_all = std::fwrite(list.text(), 1, list.size(), file) == list.size();
+    return written(list.value(), is_all ? list.length() : -1);
   }
 
   // True for text that goes to a file while recording: it may be read back by other means.
   static bool is_file(std::FILE *file) noexcept { return detail::recording && file != stdout && file != stderr; }
   template <class... T> static detail::Shown said(detail::Shown value, char const *format, T... values) {
-    if (!detail::recording || !value.number) return value;
-    std::string text(static_cast<std::size_t>(std::snprintf(nullptr, 0, format, values...)) + 1, '\0');
-    std::snprintf(text.data(), text.size(), format, values...);
-    detail::made_string(text.c_str(), RealNumber::from_bits(value.number));
+    if (detail::recording && value.number) detail::made_printed(RealNumber::from_bits(value.number), format, values...);
     return value;
   }
   void said_list(char const *format, std::va_list list) const {
-    if (!detail::recording || !listed().number) return;
-    std::va_list copy;
-    va_copy(copy, list);
-    std::string text(static_cast<std::size_t>(std::vsnprintf(nullptr, 0, format, copy)) + 1, '\0');
-    va_end(copy);
-    va_copy(copy, list);
-    std::vsnprintf(text.data(), text.size(), format, copy);
-    va_end(copy);
-    detail::made_string(text.c_str(), RealNumber::from_bits(listed().number));
+    if (detail::recording && listed().number) detail::made_list(RealNumber::from_bits(listed().number), format, list);
   }
 
   char const *place_; // place that uses the length

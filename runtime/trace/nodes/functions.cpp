@@ -1,11 +1,15 @@
 // The functions of <cmath> on RealNumber (symreal/real_math.h) that are rows of the operation table.
 #include "runtime/trace/nodes/pool.h"
 
+#include <symreal/library_formulas.h>
 #include <symreal/real_math.h>
 
 #include <cmath>
+#include <numeric>
 
 namespace symreal {
+
+double detail::midpoint(double a, double b) noexcept { return std::midpoint(a, b); }
 
 #define SYMREAL_CALL_1(id, evaluate)                                                                                   \
   RealNumber id(RealNumber real_x) noexcept {                                                                          \

@@ -7,8 +7,10 @@
 
 #include <cerrno>
 #include <cstddef>
+#include <cstring>
 #include <cwchar>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace symreal::detail {
@@ -242,18 +244,21 @@ private:
 
 } // namespace
 
-Shown ListText::print(char const *format, std::va_list list, std::string &text) {
+void ListText::print(char const *format, std::va_list list) {
   Parser parser(format);
-  if (!parser.parse() || is_dropped("list_text")) return {};
+  if (!parser.parse() || is_dropped("list_text")) return;
   std::va_list copy;
   va_copy(copy, list);
   for (Argument &argument : parser.arguments) read(argument, copy);
   va_end(copy);
-  Shown value;
   for (Argument const &argument : parser.arguments)
-    if (argument.number.is_node() && value.number == 0) value.number = argument.number.to_bits();
-  if (value.number != 0) Printer(parser, text).print();
-  return value;
+    if (argument.number.is_node() && value_.number == 0) value_.number = argument.number.to_bits();
+  if (value_.number == 0) return;
+  std::string text;
+  Printer(parser, text).print();
+  size_ = text.size();
+  text_ = static_cast<char *>(::operator new(size_ + 1));
+  std::memcpy(text_, text.c_str(), size_ + 1);
 }
 
 } // namespace symreal::detail

@@ -8,9 +8,14 @@
 
 #include <symreal/standard_library.h>
 
+#include <cstdarg>
+#include <cstdio>
+#include <cstring>
 #include <fstream>
+#include <functional>
 #include <iostream>
 #include <sstream>
+#include <string>
 #include <sys/stat.h>
 
 namespace symreal {
@@ -203,17 +208,48 @@ void made_length(Shown value, char const *used_at) noexcept {
   length_used(value, used_at);
 }
 
-void made_string(std::string_view text, RealNumber value) noexcept {
+void made_string(char const *text, std::size_t size, RealNumber value) noexcept {
   if (!recording || !value.is_node()) return;
   Pause const pause;
-  session().text_marks.made(text, value);
+  session().text_marks.made({text, size}, value);
 }
 
-void made_stream(std::ios const &stream, std::string_view text, RealNumber value) noexcept {
+void made_list(RealNumber value, char const *format, std::va_list list) noexcept {
+  std::va_list copy;
+  va_copy(copy, list);
+  std::string text(static_cast<std::size_t>(std::vsnprintf(nullptr, 0, format, copy)) + 1, '\0');
+  va_end(copy);
+  va_copy(copy, list);
+  std::vsnprintf(text.data(), text.size(), format, copy);
+  va_end(copy);
+  made_string(text.c_str(), std::strlen(text.c_str()), value);
+}
+
+void made_printed(RealNumber value, char const *format, ...) noexcept {
+  std::va_list list;
+  va_start(list, format);
+  made_list(value, format, list);
+  va_end(list);
+}
+
+std::size_t hash(double number) noexcept { return std::hash<double>()(number); }
+
+std::size_t print_number(RealNumber x, char (&text)[longest_number]) noexcept {
+  double const number = x.is_node() ? needed_value(x) : x.plain();
+  auto const size = static_cast<std::size_t>(std::snprintf(text, sizeof text, "%f", number));
+  made_string(text, size, x);
+  return size;
+}
+
+static void made_stream(std::ios const &stream, std::string_view text, RealNumber value) noexcept {
   if (!recording || !value.is_node() || trace::is_standard(stream)) return;
   Pause const pause;
   session().text_marks.made_stream(stream, value);
   session().text_marks.made(text, value);
+}
+
+void made_stream(std::ios const &stream, long long integer, RealNumber value) noexcept {
+  made_stream(stream, std::to_string(integer), value);
 }
 
 Shown value_in(char const *text, std::size_t size) noexcept {
