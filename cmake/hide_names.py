@@ -31,7 +31,8 @@ def identifiers(text):
 
 def preprocessed(compiler, headers, words):
     command = [compiler, "-x", "c++", "-E", "-P", "-w", "-I", headers, "-include", "symreal/real.h", *words, "-"]
-    return subprocess.run(command, input="", capture_output=True, text=True, check=True).stdout
+    # <complex> of C++ is what C's <complex.h> includes, and has all of strings and streams.
+    return subprocess.run(command, input="#include <complex>\n", capture_output=True, text=True, check=True).stdout
 
 
 def main():

@@ -2,8 +2,8 @@
 // every tolerance built on it.
 #pragma once
 
-#include <symreal/complex.h>
 #include <symreal/extremes.h>
+#include <symreal/library_formulas.h>
 #include <symreal/real_math.h>
 #include <symreal/standard_templates.h>
 #include <symreal/text.h>
