@@ -16,6 +16,10 @@
 
 #include <symreal/op.h>
 
+#ifdef SYMREAL_SOURCE_OF_C // the special functions are names of C++; gcc would compile them with each source
+#include <cstddef>
+#undef _GLIBCXX_USE_STD_SPEC_FUNCS
+#endif
 #include <cmath>
 #include <compare>
 #include <cstdint>
