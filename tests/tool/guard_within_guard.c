@@ -2,8 +2,8 @@
 // any guard after its place that does not hold.
 // RUN: %symreal generate %s --decisions=guard -o %t.c 2>&1 | FileCheck %s --check-prefix=SAID
 // SAID-NOT: guard {{.*}}: x != y{{$}}
-// SAID: guard 2 {{.*}} ((x == 0.25) || (y != x)) && (x != y)
-// RUN: %symreal verify %s %t.c --samples=200 2>&1 | FileCheck %s
+// SAID: guard 2 {{.*}}: (x == 0.25 || y != x) && x != y{{$}}
+// RUN: %symreal verify %s %t.c --samples=400 2>&1 | FileCheck %s
 // CHECK: different
 // CHECK: value_return {{.*}} 0 0
 #pragma symreal function input(x, y) range(-4, 4) output(return)
