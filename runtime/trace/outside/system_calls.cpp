@@ -3,6 +3,7 @@
 #if defined(__linux__) && defined(__x86_64__)
 
 #include "runtime/memory/heap_blocks.h"
+#include "runtime/trace/outside/call_dispatch.h"
 
 #include <algorithm>
 #include <array>
@@ -19,21 +20,11 @@
 #include <unistd.h>
 #include <utility>
 
-#ifndef PR_SET_SYSCALL_USER_DISPATCH
-#define PR_SET_SYSCALL_USER_DISPATCH 59
-#endif
-
 namespace symreal::trace {
 
 namespace {
 
-constexpr char allow = 0, block = 1;
-char selector = allow; // which the kernel of the system reads at each system call
 bool has_begun = false, is_watching = false, is_discarding = false;
-struct sigaction previous;
-// A stack of the handler's own: its traces would show in comparisons of two processes' stacks (trace/join).
-alignas(16) char handler_stack[1 << 16];
-stack_t previous_stack;
 
 // Noted in the handler, where nothing may be allocated.
 struct Noted {
@@ -227,35 +218,6 @@ void note(long number, long const (&arguments)[6], long result, char const *clos
   if (noted_count < std::size(noted)) noted[noted_count++] = one;
 }
 
-long carry_out(long number, long const (&a)[6]) {
-  long result = number;
-  register long r10 asm("r10") = a[3];
-  register long r8 asm("r8") = a[4];
-  register long r9 asm("r9") = a[5];
-  asm volatile("syscall"
-               : "+a"(result)
-               : "D"(a[0]), "S"(a[1]), "d"(a[2]), "r"(r10), "r"(r8), "r"(r9)
-               : "rcx", "r11", "memory");
-  return result;
-}
-
-// The code that returns from a handler, which calls the system itself.
-std::uintptr_t restorer() {
-  struct {
-    void *handler;
-    unsigned long flags;
-    void *restorer;
-    unsigned long mask;
-  } action{};
-  syscall(SYS_rt_sigaction, SIGSYS, nullptr, &action, sizeof action.mask);
-  return reinterpret_cast<std::uintptr_t>(action.restorer);
-}
-
-bool dispatch() {
-  constexpr unsigned long restorer_size = 16;
-  return prctl(PR_SET_SYSCALL_USER_DISPATCH, 1, restorer(), restorer_size, &selector) == 0;
-}
-
 void keep_mask(sigset_t &mask) {
   bool const was_blocked = sigismember(&mask, SIGSYS) == 1; // as it is in the handler
   sigset_t now;
@@ -267,11 +229,9 @@ void keep_mask(sigset_t &mask) {
 }
 
 void on_call(int, siginfo_t *, void *context) {
-  selector = allow;
+  set_dispatch(false);
   auto &registers = static_cast<ucontext_t *>(context)->uc_mcontext.gregs;
-  long const number = registers[REG_RAX];
-  long const arguments[6] = {registers[REG_RDI], registers[REG_RSI], registers[REG_RDX],
-                             registers[REG_R10], registers[REG_R8],  registers[REG_R9]};
+  auto const [number, arguments] = call_in(registers);
   bool const is_own = memory::OwnWork::is_going_on();
   // A new thread or process goes on behind the call, on a stack that may be its own: the call is made again, unwatched.
   bool const is_copy = number == SYS_clone && (arguments[0] & CLONE_VM) == 0; // of the process
@@ -293,12 +253,7 @@ void on_call(int, siginfo_t *, void *context) {
   if (number == SYS_rt_sigprocmask && !has_failed) keep_mask(static_cast<ucontext_t *>(context)->uc_sigmask);
   if (!is_own && !has_failed) note(number, arguments, registers[REG_RAX], is_closing ? closed : nullptr);
   if ((is_copy || number == SYS_fork) && registers[REG_RAX] == 0) dispatch(); // the copy is not watched by itself
-  selector = block;
-}
-
-void give_back_handler() {
-  sigaction(SIGSYS, &previous, nullptr);
-  sigaltstack(&previous_stack, nullptr);
+  set_dispatch(true);
 }
 
 // The action of each signal, and the blocked ones.
@@ -356,27 +311,15 @@ void watch_calls() {
   noted_count = 0;
   std::ranges::fill(is_own_file, false);
   read_signals(signals_before);
-  stack_t stack = {};
-  stack.ss_sp = handler_stack;
-  stack.ss_size = sizeof handler_stack;
-  sigaltstack(&stack, &previous_stack);
-  struct sigaction action = {};
-  action.sa_flags = SA_SIGINFO | SA_ONSTACK;
-  action.sa_sigaction = on_call;
-  sigaction(SIGSYS, &action, &previous);
-  has_begun = is_watching = dispatch();
-  if (is_watching)
-    selector = block;
-  else
-    give_back_handler();
+  has_begun = is_watching = begin_dispatch(on_call);
+  set_dispatch(is_watching);
 }
 
 void end_calls(std::vector<Effect> &effects) {
-  selector = allow;
+  set_dispatch(false);
   is_watching = false;
   if (!std::exchange(has_begun, false)) return; // notes from before a thread began count
-  prctl(PR_SET_SYSCALL_USER_DISPATCH, 0, 0, 0, 0);
-  give_back_handler();
+  end_dispatch();
   compare_signals(effects);
   for (std::size_t k = 0; k < noted_count; ++k) effects.push_back(effect_of(noted[k]));
 }
