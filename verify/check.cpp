@@ -49,6 +49,7 @@ std::unique_ptr<Replay> Subject::start(char const *what, std::string const &exec
   std::string const &others = recorded.kernel.signature.redefinition.result.others;
   if (!options.wrapper.empty() && !others.empty()) request.set(wire::Entry::returned, others);
   request.set(wire::Entry::changeable, changeable_);
+  if (options.fork_each) request.set(wire::Entry::replay_alone, "1");
   return std::make_unique<Replay>(what, executable, run, recorded.begun_as, graph, *front.workspace, with, profile,
                                   std::move(request));
 }

@@ -31,6 +31,7 @@ struct VerificationOptions {
   double tolerance = 1e-9;           // for mode fast and single precision
   std::string wrapper = {}; // program that tests its wrapper (program::build_wrapped); empty: no wrapper is verified
   bool branches = false;    // also count the branches of the original
+  bool fork_each = false;   // no fork runs the original on several samples
   unsigned exact_bits = 0;  // also compare with exact values of this many bits; 0: do not
 };
 

@@ -4,6 +4,10 @@
 //   client ──command──▶ server: fork; the fork runs the kernel on the inputs in shared memory and ends ──status──▶
 //   client
 //
+// A fork that has run the kernel answers itself, goes back to the state in which it began (runtime/memory/rollback.h),
+// and takes the next command, as long as the kernel calls the system for nothing: so all that a run has left is memory.
+// A run that calls the system, or does not end well, is given up and made again in a fork of its own.
+//
 // The generated code and the recorded graph of a kernel with external functions run here as well, each in a fork, so
 // that both call the program's own functions in the state in which the kernel finds them. For differences and dual
 // numbers a fork answers a sequence of function calls: the client sends the number of a function, four bytes, until it
@@ -28,7 +32,7 @@ namespace symreal::replay {
 // State of a fork. `inside`: the first call's inputs are given, and none of its outputs is read yet.
 enum class State : std::uint32_t { begun, inside, left, complete, wrong_shape };
 
-enum class Command : char { original = 'o', generated = 'c', graph = 'g', functions = 'f' };
+enum class Command : char { none = 0, original = 'o', generated = 'c', graph = 'g', functions = 'f' };
 inline constexpr std::uint32_t no_function = ~std::uint32_t{0};
 
 // Value of outputs that are not inputs before a later call, so that an output left unwritten shows.
@@ -76,7 +80,7 @@ struct Head {
   std::int32_t failed;                       // return value of the generated code
   std::uint32_t failing_guard;               // of the graph: the first that does not hold
   Premises premises;
-  std::uint8_t unused;
+  Command command; // which is not answered yet
   std::uint32_t left_count;
   std::uint32_t most_calls; // of the kernel in a row, each on the state that the one before it has left
   std::uint32_t calls_wanted, calls_done;

@@ -2,12 +2,14 @@
 
 #include "engine/graph/graph.h"
 #include "engine/graph/graph_binary.h"
+#include "runtime/memory/rollback.h"
 #include "runtime/replay/replay_protocol.h"
 #include "runtime/wire/request.h"
 
 #include <algorithm>
 #include <bit>
 #include <charconv>
+#include <csignal>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
@@ -21,6 +23,7 @@
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <utility>
 
 // Symbols of clang's profile library; null in a program without it.
 extern "C" {
@@ -32,8 +35,8 @@ extern "C" {
 namespace symreal::replay {
 namespace {
 
-// Branch counters of a program that clang has built with -fprofile-instr-generate. Each sample runs in a fork of its
-// own; the counts of all forks are summed. Other programs have no counters.
+// Branch counters of a program that clang has built with -fprofile-instr-generate. Each sample begins with none; the
+// counts of all samples are summed. Other programs have no counters.
 class BranchCounters {
 public:
   // Construct it before the first fork: earlier counts are left out.
@@ -48,7 +51,7 @@ public:
     sums_ = static_cast<std::uint64_t *>(shared);
     std::fill_n(counters_, count_, 0);
   }
-  // Adds this fork's counts, at its end.
+  // Adds the counts of a sample, at its end.
   void add() const {
     for (std::size_t k = 0; k < count_; ++k) sums_[k] += counters_[k];
   }
@@ -128,6 +131,8 @@ public:
     }
   }
 
+  bool is_there() const { return library_ != nullptr; }
+
 private:
   void *library_ = nullptr;
   std::string prefix_;
@@ -165,10 +170,64 @@ Head *map(std::string const &file) {
   return memory == MAP_FAILED ? nullptr : static_cast<Head *>(memory);
 }
 
+constexpr unsigned most_given_up = 4; // runs; then each has a fork of its own
+
 void tell_left(Head &head, std::vector<memory::Change> const &changes) {
   head.left_count = static_cast<std::uint32_t>(std::min(changes.size(), std::size(head.left)));
   for (std::size_t k = 0; k < head.left_count; ++k) head.left[k] = left_behind(changes[k]);
 }
+
+// Whether the command lets its fork take further ones.
+bool leaves_fork(Head const &head) {
+  return head.command == Command::original && head.watches_world == 0 && head.examines == 0;
+}
+
+void begin_answer(Head &head) {
+  head.state = State::begun;
+  head.left_count = head.effect_count = head.unnamed_count = head.calls_done = 0;
+  head.returned = 0;
+  head.unexamined[0] = 0;
+}
+
+// A fork that runs the kernel several times, each time from the same state.
+class Turns {
+public:
+  // In the server, before the first fork.
+  Turns(Connection connection, Head &head, bool (*refuse_calls)(bool))
+      : connection_(std::move(connection)),
+        head_(head),
+        refuse_calls_(refuse_calls) {}
+  bool are_possible() const { return rollback_.is_possible(); }
+
+  // In the fork. Returns before each run of the kernel; false in a fork that makes one run alone.
+  bool begin() {
+    if (!refuse_calls_(false)) return false;
+    rollback_.keep();
+    if (head_.command == Command::none) {
+      if (read(connection_.commands, &head_.command, 1) != 1) _exit(0);
+      if (!leaves_fork(head_)) _exit(0); // the server makes another
+      begin_answer(head_);
+    }
+    alarm(head_.seconds);
+    refuse_calls_(true);
+    return true;
+  }
+
+  // At the end of a run. Returns if it was the last.
+  void end() {
+    refuse_calls_(false);
+    alarm(0);
+    head_.command = Command::none;
+    if (constexpr int done = 0; write(connection_.answers, &done, sizeof done) == sizeof done) rollback_.go_back();
+  }
+
+private:
+  Connection connection_;
+  Head &head_;
+  bool (*refuse_calls_)(bool);
+  memory::Rollback rollback_;
+};
+Turns *turns = nullptr; // in a fork of several runs
 
 // Returns in the forks only.
 void serve(Connection const &connection, Head *head, Memory const &memory) {
@@ -182,13 +241,17 @@ void serve(Connection const &connection, Head *head, Memory const &memory) {
     std::copy_n(stack.begin(), std::min(stack.size(), std::size(head->stack)), head->stack);
   }
   if (constexpr int reached = 0; write(connection.answers, &reached, sizeof reached) != sizeof reached) _exit(0);
-  for (Command command; read(connection.commands, &command, 1) == 1;) {
-    head->state = State::begun;
-    head->left_count = head->effect_count = head->unnamed_count = head->calls_done = 0;
-    head->returned = 0;
-    head->unexamined[0] = 0;
+  static Turns several(connection, *head, memory.refuse_calls);
+  bool const are_possible = several.are_possible() && !code.is_there() && !wire::requested(wire::Entry::replay_alone);
+  bool is_again = false; // the command was given up
+  unsigned given_up = 0;
+  while (head->command != Command::none || read(connection.commands, &head->command, 1) == 1) {
+    Command const command = head->command;
+    bool const leaves = leaves_fork(*head), has_turns = are_possible && leaves && !is_again && given_up < most_given_up;
+    begin_answer(*head);
     pid_t child = fork();
     if (child == 0) {
+      if (has_turns && several.begin()) return void(turns = &several);
       alarm(head->seconds);
       if (command == Command::functions) {
         code.answer_calls(*head, connection.commands, connection.answers);
@@ -205,6 +268,16 @@ void serve(Connection const &connection, Head *head, Memory const &memory) {
     }
     int status = -1;
     if (child > 0) waitpid(child, &status, 0);
+    if (head->command == Command::none) { // it has answered, and could not go back
+      ++given_up;
+      continue;
+    }
+    is_again = has_turns && !(WIFSIGNALED(status) && WTERMSIG(status) == SIGALRM);
+    if (is_again) {
+      given_up += leaves_fork(*head);
+      continue;
+    }
+    head->command = Command::none;
     if (write(connection.answers, &status, sizeof status) != sizeof status) break;
   }
   branches.write();
@@ -214,6 +287,7 @@ void serve(Connection const &connection, Head *head, Memory const &memory) {
 [[noreturn]] void finish(State state) {
   shared->state = state;
   if (state == State::complete) counters->add();
+  if (turns) turns->end();
   _exit(0);
 }
 

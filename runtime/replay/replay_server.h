@@ -12,13 +12,15 @@
 
 namespace symreal::replay {
 
-// Callbacks by which a program reports on its memory.
+// Callbacks by which a program reports on its memory and its system calls.
 struct Memory {
   std::function<void()> prepare = [] {}; // before the first fork
   // Changes since `prepare`; called after generated code that calls functions of the program.
   std::function<std::vector<memory::Change>()> changes = [] { return std::vector<memory::Change>(); };
   // Call stack: return addresses relative to the load base, innermost first.
   std::function<std::vector<std::uintptr_t>()> stack = [] { return std::vector<std::uintptr_t>(); };
+  // Sets whether a system call of the kernel ends the process; false where it cannot.
+  bool (*refuse_calls)(bool) = [](bool) { return false; };
 };
 
 // Called at the first annotation. Returns true in the forks, false for a kernel that is not wanted.

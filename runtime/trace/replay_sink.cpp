@@ -5,6 +5,7 @@
 #include "runtime/replay/replay_protocol.h"
 #include "runtime/replay/replay_server.h"
 #include "runtime/replay/unnamed_state.h"
+#include "runtime/trace/outside/call_dispatch.h"
 #include "runtime/trace/outside/world.h"
 #include "runtime/trace/report/call_stack.h"
 #include "runtime/trace/sinks.h"
@@ -24,7 +25,9 @@ using memory::MemoryImage;
 
 class Replay final : public Sink {
 public:
-  void begin(std::string const &name, void const *) override { (void)replay::replay_begin(name); }
+  void begin(std::string const &name, void const *) override {
+    (void)replay::replay_begin(name, {.refuse_calls = refuse_calls});
+  }
   void begin_object(Kind kind, std::string const &, Place const &) override { kind_ = kind; }
   void element(void *number, bool) override {
     auto *real = static_cast<double *>(number);
@@ -55,8 +58,8 @@ class Original final : public Sink {
 public:
   void begin(std::string const &name, void const *frame) override {
     if (is_again_) return;
-    is_wanted_ = replay::replay_begin(
-        name, {[&] { image_ = MemoryImage::capture(frame); }, [this] { return image_.changes({}); }, call_stack});
+    is_wanted_ = replay::replay_begin(name, {[&] { image_ = MemoryImage::capture(frame); },
+                                             [this] { return image_.changes({}); }, call_stack, refuse_calls});
     if (is_wanted_ && replay::replay_watches_world()) watch_world();
     static char const *const changeable = wire::requested(wire::Entry::changeable);
     examines_ = is_wanted_ && changeable && replay::replay_examines();

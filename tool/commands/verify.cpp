@@ -326,6 +326,7 @@ void add_verify(CLI::App &app, Session &session) {
       ->type_name("FILE");
   command->add_flag("--branches", verification.branches,
                     "Also list branches of the original that all samples take the same way");
+  command->add_flag("--fork-each", verification.fork_each, "Run each sample in a process of its own");
   command
       ->add_option("--exact", verification.exact_bits,
                    "Also report the error of both against exact values, computed with BITS bits, such as 256")
