@@ -123,7 +123,9 @@ SYMREAL_SHIFT(>>, std::is_signed_v<C> ? Op::wide_shr : Op::wide_ushr)
   }                                                                                                                    \
   template <class T, class U, detail::IfFloating<T> = 0> SymbolicBool operator op(T x, SymbolicInt<U> y) {             \
     return RealNumber(x) op detail::rounded<T>(y.number());                                                            \
-  }
+  }                                                                                                                    \
+  template <class T> SymbolicBool operator op(SymbolicInt<T> x, SymbolicBool y) { return x op SymbolicInt<int>(y); }   \
+  template <class T> SymbolicBool operator op(SymbolicBool x, SymbolicInt<T> y) { return SymbolicInt<int>(x) op y; }
 SYMREAL_COMPARISON(<, less)
 SYMREAL_COMPARISON(<=, less_or_equal)
 SYMREAL_COMPARISON(>, greater)
