@@ -52,7 +52,8 @@ bool is_opaque(CXXRecordDecl const *record) {
 // Whether the type is a pointer to constant numbers, whose address means nothing in another program.
 bool leads_to_constants(QualType type) {
   QualType const to = type->getPointeeType();
-  return !to.isNull() && to.isConstQualified() && to->isArithmeticType() && !to->isAnyCharacterType();
+  if (to.isNull() || !to.isConstQualified() || to->isAnyCharacterType()) return false;
+  return to->isArithmeticType() || (type->isPointerType() && (to->isRecordType() || to->isPointerType()));
 }
 
 // Whether the record is a class that is not rewritten, with unknown contents.
@@ -245,6 +246,21 @@ public:
         context_(function->getASTContext()),
         mentioned_(mentioned) {}
 
+  // Names of the pointers to constants that an object of the type contains and the kernel reads.
+  std::vector<std::string> pointers_to_constants(QualType type) const {
+    std::vector<std::string> found;
+    RecordDecl const *record = context_.getBaseElementType(type.getNonReferenceType())->getAsRecordDecl();
+    if (!record || !record->getDefinition()) return found;
+    for (FieldDecl const *field : record->getDefinition()->fields()) {
+      if (!mentioned_.has(field)) continue;
+      if (leads_to_constants(context_.getBaseElementType(field->getType())))
+        found.push_back(field->getNameAsString());
+      else
+        llvm::append_range(found, pointers_to_constants(field->getType()));
+    }
+    return found;
+  }
+
   // Empty where there is nothing to compare.
   std::string of(QualType type, bool is_object) const {
     std::string reason;
@@ -348,9 +364,18 @@ std::vector<Baked> baked_values(FunctionDecl const *function, std::vector<BakedI
       return (one.expression == pointer && !one.sections.empty()) || one.expression == "*" + pointer;
     });
   };
+  // Is a pointer of the item left without a clause for the constants that it leads to?
+  auto const leaves_constants = [&](BakedItem const &item) {
+    if (!item.is_constant) return false;
+    if (item.sections.empty() && leads_to_constants(item.type)) return !names_elements(item.expression);
+    return llvm::any_of(shapes.pointers_to_constants(item.type), [&](std::string const &member) {
+      return llvm::none_of(items, [&](BakedItem const &one) {
+        return !one.sections.empty() && llvm::StringRef(one.expression).ends_with(member);
+      });
+    });
+  };
   for (BakedItem const &item : items)
-    if (!item.type.isNull() && item.is_constant && item.sections.empty() && leads_to_constants(item.type) &&
-        !names_elements(item.expression))
+    if (!item.type.isNull() && leaves_constants(item))
       add({item.label,
            item.expression,
            {},
