@@ -208,8 +208,8 @@ private:
           of && (of->kind == Kind::integer || of->kind == Kind::other ||
                  (of->kind == Kind::pointer && is_whole(item) && item.has_value() && sections(item).empty()));
       if (is_value && item.kind != "output") {
-        if (of->holds_scalar && of->kind == Kind::integer && !is_extent(of->name))
-          clause("constant", text.place, {text});
+        bool const is_number = of->holds_scalar && of->kind == Kind::integer && !is_extent(of->name);
+        if (is_number || of->kind == Kind::pointer) clause("constant", text.place, {text});
         continue;
       }
       // Integer inputs become constants; integer parameters stay, since preprocess takes any number.

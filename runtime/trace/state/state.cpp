@@ -49,6 +49,8 @@ void State::chosen(void const *begin, std::size_t size) {
   if (is_dropped("chosen")) return;
   auto const *words = static_cast<char const *>(begin);
   for (std::size_t at = 0; at + sizeof(void *) <= size; at += sizeof(void *)) {
+    if (is_constant(words + at) && !is_chosen(words + at))
+      continue; // a pointer of a constant leads to the same for ever
     void const *target = nullptr;
     std::memcpy(static_cast<void *>(&target), words + at, sizeof target);
     auto const around =
