@@ -103,6 +103,9 @@ private:
     if (!beyond) return false;
     ++tried_beyond_;
     bool is_worst = false;
+    // Beyond mode strict the code's own state may have zeros of another sign.
+    bool const is_strict = subject_.banner.mode == FloatingPoint::strict;
+    FloatingPoint const mode = is_strict ? FloatingPoint::strict : FloatingPoint::finite;
     try {
       std::vector<double> const alone = program.run(*beyond, {}, seconds_beyond);
       (void)program.run(on.sample, {&*beyond, 1}, seconds_beyond);
@@ -110,7 +113,7 @@ private:
       std::vector<double> const after = program.outputs_of(1);
       for (std::size_t slot = 0; slot < alone.size(); ++slot)
         if (after[slot] != replay::spoilt_output) // the original writes this output
-          is_worst |= result_.called_beyond[slot].add(on.number, after[slot], alone[slot], FloatingPoint::strict, 0);
+          is_worst |= result_.called_beyond[slot].add(on.number, after[slot], alone[slot], mode, 0);
     } catch (DiagnosticError const &) {
       tried_beyond_ = most_beyond;
     }
