@@ -18,15 +18,15 @@ static double sum(int n, const double *p, double x) {
   return result;
 }
 
-// CHECK: :[[#@LINE+1]]:44: error: --wrapper cannot compare 'm' of 'to_object', which is baked in: it leads to constants: name those as well
+// CHECK: :[[#@LINE+1]]:44: error: --wrapper cannot compare 'm' of 'to_object', which is baked in: it leads to constants: name those as well, as in constant(p[0:n]) [SYM095]
 #pragma symreal function input(x) constant(m) output(return)
 double to_object(const Model *m, double x) { return sum(m->n, m->p, x); }
 
-// CHECK: :[[#@LINE+1]]:44: error: --wrapper cannot compare '*m' of 'of_object', which is baked in: it leads to constants: name those as well
+// CHECK: :[[#@LINE+1]]:44: error: --wrapper cannot compare '*m' of 'of_object', which is baked in: it leads to constants: name those as well, as in constant(p[0:n]) [SYM095]
 #pragma symreal function input(x) constant(*m) output(return)
 double of_object(Model *m, double x) { return sum(m->n, m->p, x); }
 
-// CHECK: :[[#@LINE+1]]:44: error: --wrapper cannot compare 'm' of 'in_copy', which is baked in: it leads to constants: name those as well
+// CHECK: :[[#@LINE+1]]:44: error: --wrapper cannot compare 'm' of 'in_copy', which is baked in: it leads to constants: name those as well, as in constant(p[0:n]) [SYM095]
 #pragma symreal function input(x) constant(m) output(return)
 double in_copy(Model m, double x) { return sum(m.n, m.p, x); }
 
