@@ -103,17 +103,16 @@ private:
     if (!beyond) return false;
     ++tried_beyond_;
     bool is_worst = false;
-    // Beyond mode strict the code's own state may have zeros of another sign.
+    // The state that code of another mode than strict leaves may have zeros of another sign.
     bool const is_strict = subject_.banner.mode == FloatingPoint::strict;
-    FloatingPoint const mode = is_strict ? FloatingPoint::strict : FloatingPoint::finite;
     try {
       std::vector<double> const alone = program.run(*beyond, {}, seconds_beyond);
       (void)program.run(on.sample, {&*beyond, 1}, seconds_beyond);
       if (program.calls() < 2) return false;
       std::vector<double> const after = program.outputs_of(1);
       for (std::size_t slot = 0; slot < alone.size(); ++slot)
-        if (after[slot] != replay::spoilt_output) // the original writes this output
-          is_worst |= result_.called_beyond[slot].add(on.number, after[slot], alone[slot], mode, 0);
+        if (after[slot] != replay::spoilt_output && (is_strict || after[slot] != alone[slot])) // the original writes it
+          is_worst |= result_.called_beyond[slot].add(on.number, after[slot], alone[slot], FloatingPoint::strict, 0);
     } catch (DiagnosticError const &) {
       tried_beyond_ = most_beyond;
     }
