@@ -86,7 +86,9 @@ void note_compiled(std::string const &path, std::string const &workspace) {
   std::error_code error;
   std::string const real = fs::canonical(path, error).string();
   // Skips the tool's own headers: the result depends on the tool as a whole.
-  bool const is_own = real.find("/include/symreal/") != real.npos;
+  std::error_code is_other;
+  bool const is_own =
+      fs::canonical(runtime_include() + "/symreal/" + fs::path(real).filename().string(), is_other) == real;
   if (!error && !real.starts_with(workspace) && !real.starts_with("/usr/") && !is_own) note_read(real);
 }
 
