@@ -90,7 +90,7 @@ template <class T> std::string written(T &object) {
 void note(TypeTokens &types, Span const &span, TypeToken token) {
   auto const [at, is_new] = types.try_emplace(span, token);
   TypeToken &known = at->second;
-  // Of several reasons to stay the first counts, of several replacements the last in the order of words.
+  // The first of several reasons to stay counts, and the last of several replacements in the order of words.
   if (std::tie(known.fate, known.replacement, token.why) < std::tie(token.fate, token.replacement, known.why))
     known = std::move(token);
 }

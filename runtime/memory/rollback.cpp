@@ -12,7 +12,7 @@
 #include <ucontext.h>
 #include <unistd.h>
 
-// Where the system writes to a thread at any time; null in an older library.
+// The place that the system writes to a thread at any time; null in an older library.
 extern "C" {
 [[gnu::weak]] extern std::ptrdiff_t const symreal_rseq_offset __asm__("__rseq_offset");
 }

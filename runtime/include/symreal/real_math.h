@@ -121,7 +121,7 @@ inline SymbolicBool isnormal(RealNumber x) noexcept {
   RealNumber const magnitude = abs(x);
   return (magnitude >= RealNumber(std::numeric_limits<double>::min())) & isfinite(x);
 }
-// That of a number of the same class, which each condition decides on.
+// The class of a number that is in the same one; each condition decides.
 inline int fpclassify(RealNumber x) noexcept {
   using limits = std::numeric_limits<double>;
   double const same = isnan(x)               ? limits::quiet_NaN()

@@ -6,7 +6,11 @@
 
 #ifdef __GLIBCXX__
 #include <bits/algorithmfwd.h>
-#ifndef SYMREAL_SOURCE_OF_C
+#ifdef SYMREAL_SOURCE_OF_C
+namespace std {
+template <class, class> class basic_string_view;
+}
+#else
 #include <string_view> // where it is declared without its default argument, gcc spells that out in __PRETTY_FUNCTION__
 #endif
 
@@ -15,9 +19,6 @@ template <class> struct hash;
 template <class> struct atomic;
 template <class> struct atomic_ref;
 enum class memory_order : int;
-#ifdef SYMREAL_SOURCE_OF_C
-template <class, class> class basic_string_view;
-#endif
 struct input_iterator_tag;
 struct output_iterator_tag;
 } // namespace std
